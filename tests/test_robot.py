@@ -15,12 +15,13 @@ from hypothesis import strategies as st
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.robot import read_robot, robot_from_dict, robot_size, robot_to_dict, robot_to_toml
+from deltacal_gen.machine.machine import GeometryKey
 from deltacal_gen.units import DEG, to_file
 
 LENGTHS = ("base_radius", "platform_radius", "proximal_length", "distal_length", "joint_spacing")
 
 
-def geometry_key(key: str, unit: str = "mm", per_limb: bool = False, **other: Any) -> SimpleNamespace:
+def geometry_key(key: str, unit: str = "mm", per_limb: bool = False, **other: Any) -> GeometryKey:
     fields = {
         "default": None,
         "table": "geometry",
@@ -28,7 +29,7 @@ def geometry_key(key: str, unit: str = "mm", per_limb: bool = False, **other: An
         "positive": True,
         "entry": None,
     } | other
-    return SimpleNamespace(key=key, unit=unit, per_limb=per_limb, **fields)
+    return GeometryKey(key=key, unit=unit, per_limb=per_limb, **fields)
 
 
 ANGLES = geometry_key("limb_angle_deg", "rad", True, default=(-90 * DEG, 30 * DEG, 150 * DEG), table="joints")

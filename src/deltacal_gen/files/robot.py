@@ -10,6 +10,7 @@ from __future__ import annotations
 import dataclasses
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
@@ -470,27 +471,35 @@ def _schema(mechanism: Machine, drawn: bool = True) -> Any:
 
     A machine that is not `drawn` has no table [geometry].
     """
-    limbs = mechanism.limbs
+    keys = () if mechanism.linked else tuple(mechanism.geometry)
+    names = tuple(parameter.name for parameter in mechanism.parameters)
+    return _model(mechanism.limbs, _limits_key(mechanism), mechanism.linked, keys, names, drawn)
+
+
+@cache
+def _model(
+    limbs: int, limits: str, linked: bool, keys: tuple[GeometryKey, ...], names: tuple[str, ...], drawn: bool
+) -> Any:
+    """Return the model of robot files of mechanisms that have this in common; to make one takes longer than a file."""
     geometry: dict[str, Any] = {"tool": (Vector, (0.0, 0.0, 0.0))}
     joints: dict[str, Any] = {
         "sign": (_per_limb(_Sign, limbs), (1.0,) * limbs),
-        _limits_key(mechanism): (_list(_Interval, limbs), None),
+        limits: (_list(_Interval, limbs), None),
     }
-    for key in () if mechanism.linked else mechanism.geometry:
+    for key in keys:
         fields = geometry if key.table == "geometry" else joints
         meaning = f"{key.meaning} [{file_unit(key.unit)}]"
-        size = sum(other.key == key.key for other in mechanism.geometry)
+        size = sum(other.key == key.key for other in keys)
         kind = _list(Number, size) if key.entry is not None else _value_type(key, limbs)
         needed = key.default is None and (drawn or key.table != "geometry")
         fields[key.key] = (kind, Field(... if needed else None, description=meaning))
-    names = [parameter.name for parameter in mechanism.parameters]
     absent: Any = Field({}, validate_default=True)
-    chain: Any = {"joint": (tuple[_Joint, ...], ...)} if mechanism.linked else {}
+    chain: Any = {"joint": (tuple[_Joint, ...], ...)} if linked else {}
     return create_model(
         "RobotFile",
         __base__=_RobotFile,
         **chain,
-        geometry=(_table("geometry", geometry), absent if mechanism.linked or not drawn else ...),
+        geometry=(_table("geometry", geometry), absent if linked or not drawn else ...),
         joints=(_table("joints", joints), absent),
         errors=(_table("errors", dict.fromkeys(names, (Number, None))), absent),
         tolerance=(_table("tolerance", dict.fromkeys(names, (Positive, None))), absent),
