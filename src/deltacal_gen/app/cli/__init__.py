@@ -14,7 +14,8 @@ import os
 import sys
 import traceback
 from collections.abc import Callable
-from typing import Annotated
+from functools import cache
+from typing import Annotated, Any
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # the matrices are small: threads only wait for one another
 
@@ -87,7 +88,7 @@ def main() -> None:
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="replace")  # a letter that the screen's code page has not is no fault
     try:
-        app()
+        _tree()()
     except DeltacalError as error:
         common.aside.print(f"[bold red]error:[/bold red] {common.escaped(str(error))}", soft_wrap=True)
         sys.exit(error.exit_code)
@@ -98,6 +99,12 @@ def main() -> None:
             traceback.print_exception(error)
         common.aside.print(f"[bold red]fault:[/bold red] {common.escaped(_fault(error))}", soft_wrap=True)
         sys.exit(FAULT)
+
+
+@cache
+def _tree() -> Any:
+    """Return all commands with their options, made once for a program that runs several."""
+    return typer.main.get_command(app)
 
 
 def _fault(error: Exception) -> str:
