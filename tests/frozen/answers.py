@@ -25,7 +25,21 @@ TOLERANCE = 1e-9
 LIMIT_S = 600
 SAVED = (".json", ".csv", ".c")
 NUMBER = re.compile(r"[-+]?(?:\d+\.\d*|\.\d+|\d+)(?:[eE][-+]?\d+)?")
-RUN = "from deltacal_gen.app.cli import main; main()"
+# all commands of a case by one process, which imports once: what one did moves no bit of the next one's answer
+RUN = """
+import contextlib, io, json, sys
+from deltacal_gen.app import cli
+ended = []
+for sys.argv[1:] in json.loads(sys.argv[1]):
+    code = 0
+    with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()) as said:
+        try:
+            cli.main()
+        except SystemExit as end:
+            code = int(end.code or 0)
+    ended.append((code, said.getvalue()))
+print(json.dumps(ended))
+"""
 Answers = dict[str, Any]
 
 
@@ -36,19 +50,19 @@ def answered(case: Case, folder: Path, tree: Path = ROOT) -> Answers:
     given = {path.name for path in folder.iterdir()}
     environment = {**os.environ, "PYTHONPATH": f"{tree / 'src'}{os.pathsep}{tree / 'generated'}", "COLUMNS": "120"}
     found: Answers = {}
-    for number, command in enumerate(case.commands):
-        ended = subprocess.run(
-            [sys.executable, "-c", RUN, *command],
-            cwd=folder,
-            env=environment,
-            capture_output=True,
-            text=True,
-            timeout=LIMIT_S,
-            check=False,
-        )
-        found[f"exit {number} {command[0]}"] = ended.returncode
-        if ended.returncode not in (0, 1):
-            found[f"error {number} {command[0]}"] = " ".join(ended.stderr.split())
+    done = subprocess.run(
+        [sys.executable, "-c", RUN, json.dumps(case.commands)],
+        cwd=folder,
+        env=environment,
+        capture_output=True,
+        text=True,
+        timeout=LIMIT_S,
+        check=True,
+    )
+    for number, (command, (code, said)) in enumerate(zip(case.commands, json.loads(done.stdout), strict=True)):
+        found[f"exit {number} {command[0]}"] = code
+        if code not in (0, 1):
+            found[f"error {number} {command[0]}"] = " ".join(said.split())
     for path in sorted(folder.iterdir()):
         if path.suffix in SAVED and path.name not in given:
             found[path.name] = _parsed(path)
