@@ -17,6 +17,7 @@ import contextlib
 import importlib.util
 import io
 import json
+import os
 import re
 import shlex
 from collections.abc import Iterator
@@ -97,6 +98,7 @@ def test_blocks_run_and_print_what_the_page_shows(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(cli.common.screen, "_width", 120)
+    monkeypatch.setattr(os, "cpu_count", lambda: 1)  # workers change no result, but each imports everything first
     names: dict[str, Any] = {"__name__": "page"}
     printed = ""
     for block in blocks(source(topic)):

@@ -47,7 +47,8 @@ def test_the_tip_touches_points_of_a_flat_print(run: Run, tmp_path: Path, model:
     read = np.genfromtxt(tmp_path / "read.csv", delimiter=",", names=True)
     assert np.abs(read["board_x_mm"] - on_print[:, 0]).max() < 1.0
     assert np.abs(read["board_z_mm"]).max() < 1.0
-    assert run("study", ROBOTS[model], "--plan", path, "--model", model, "--noise", 0.05, "--trials", 5)[0] == 0
+    command = ("study", ROBOTS[model], "--plan", path, "--model", model, "--noise", 0.05, "--trials", 5)
+    assert run(*command, "--workers", 1)[0] == 0
 
 
 @pytest.mark.parametrize("model", ROBOTS)
@@ -60,7 +61,8 @@ def test_a_camera_sees_the_board_from_every_pose(run: Run, tmp_path: Path, model
     middle = [read["pose"] == pose for pose in np.unique(read["pose"])]
     uv = np.array([[read["u_px"][own].mean(), read["v_px"][own].mean()] for own in middle])
     assert ((uv > 0) & (uv < [1280, 1024])).all()  # the camera is off by its mount's ordinary errors
-    assert run("study", ROBOTS[model], "--plan", path, "--model", model, "--noise", 0.05, "--trials", 5)[0] == 0
+    command = ("study", ROBOTS[model], "--plan", path, "--model", model, "--noise", 0.05, "--trials", 5)
+    assert run(*command, "--workers", 1)[0] == 0
 
 
 def test_an_arm_looks_at_one_point_tilted_and_from_several_distances() -> None:
