@@ -27,8 +27,13 @@ TRUTH = law("limb.rod = c1*tanh(tension_1/c2)", 0.2, 8.0)
 
 
 @pytest.fixture(scope="module")
-def found() -> Diagnosis:
-    return dc.diagnose(ROBOT, record(ROBOT, TRUTH, n=N, of=channels(N, *OF)))
+def made() -> diagnosis.Diagnosed:
+    return diagnosis.diagnose(ROBOT, record(ROBOT, TRUTH, n=N, of=channels(N, *OF)))
+
+
+@pytest.fixture(scope="module")
+def found(made: diagnosis.Diagnosed) -> Diagnosis:
+    return made.answer()
 
 
 def test_a_law_is_told_as_one_and_never_by_a_name(found: Diagnosis) -> None:
@@ -93,8 +98,7 @@ def test_its_curve_goes_through_what_the_readings_say(found: Diagnosis) -> None:
     np.testing.assert_allclose(curve.value, exact, atol=6 * float(np.max(curve.std)) + 0.01)
 
 
-def test_what_geometry_leaves_is_of_the_rows_that_the_law_was_asked_of() -> None:
-    made = diagnosis.diagnose(ROBOT, record(ROBOT, TRUTH, n=N, of=channels(N, *OF)))
+def test_what_geometry_leaves_is_of_the_rows_that_the_law_was_asked_of(made: diagnosis.Diagnosed) -> None:
     proof, problem = made.laws[0].proof, made.baseline.problem
     alone = fit(problem.subset(np.flatnonzero(proof.train)), Prior(), drop_gross=False, must_converge=False)
     off = problem.residual(alone.errors, alone.instrument, problem.poses(alone.errors))[proof.test]
