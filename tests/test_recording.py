@@ -20,6 +20,7 @@ from deltacal_gen.files.checks import check_units
 from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import robot_from_dict
 from deltacal_gen.files.writing import write_files, write_recording
+from deltacal_gen.machine.machine import GeometryKey
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.units import DEG
 
@@ -262,7 +263,7 @@ def test_a_flaw_of_the_distances(
 
 # --- units ----------------------------------------------------------------------------------------------------------
 
-LENGTH = SimpleNamespace(
+LENGTH = GeometryKey(
     key="length", unit="mm", per_limb=False, default=None, table="geometry", meaning="", positive=True, entry=None
 )
 SIZED: Any = SimpleNamespace(**vars(DELTA) | {"geometry": (LENGTH,)})
