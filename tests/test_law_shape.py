@@ -7,7 +7,6 @@ import dataclasses
 import numpy as np
 import pytest
 
-from deltacal_gen.diagnosis.laws import grammar
 from deltacal_gen.diagnosis.laws.ground import Ground, Tried
 from deltacal_gen.diagnosis.laws.profile import refine
 from deltacal_gen.diagnosis.laws.remainder import with_remainder
@@ -19,6 +18,7 @@ from deltacal_gen.estimation.fit import Fit, fit
 from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.estimation.residuals import rms
 from deltacal_gen.estimation.solvers import Prior
+from deltacal_gen.physics import grammar
 from deltacal_gen.physics.terms import Term
 from tests.left_out import DELTA, SIGMA, channels, machine, record
 from tests.test_law_language import LIMB, law

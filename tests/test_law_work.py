@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from deltacal_gen.diagnosis.laws import grammar
 from deltacal_gen.diagnosis.laws import laws as of
 from deltacal_gen.diagnosis.laws.ground import Tried
 from deltacal_gen.diagnosis.laws.search import Grown
@@ -18,6 +17,7 @@ from deltacal_gen.estimation.fit import Fit, rough
 from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.machine.registry import mechanism_of
+from deltacal_gen.physics import grammar
 from deltacal_gen.physics.body import Body
 from tests.test_concealed_effects import ARM, SIGMA, Case, chain, record
 

@@ -14,14 +14,25 @@ from deltacal_gen.motion.identification import RIGID, base_parameters
 from deltacal_gen.motion.joint import Fit, fitted
 from deltacal_gen.motion.ladder import BUYS, LookedAt
 from deltacal_gen.motion.lag import LATENCY
+from deltacal_gen.motion.laws import Lawful, lawful
 from deltacal_gen.motion.payload import NAMES, PAYLOAD, PayloadError
 from deltacal_gen.motion.session import Session, still_to_move
+from deltacal_gen.motion.told import told
 from deltacal_gen.motion.traces import traces
 from deltacal_gen.motion.trajectories import INSIDE, Trajectories
 from deltacal_gen.motion.unexplained import Rest, dependences, rest
+from deltacal_gen.physics.law import is_law
 from deltacal_gen.physics.terms import drive_effect_names, load_effect
 from deltacal_gen.results.diagnosis import Channel, EffectParameter, Location, NextMeasurement, Searched, Verdict
-from deltacal_gen.results.motion import LadderOf, MotionDiagnosis, RungOf, TorqueEffect, TorqueRejected, Unexplained
+from deltacal_gen.results.motion import (
+    LadderOf,
+    MotionDiagnosis,
+    RungOf,
+    TorqueEffect,
+    TorqueLaw,
+    TorqueRejected,
+    Unexplained,
+)
 from deltacal_gen.results.parts import Missing
 from deltacal_gen.units import of_sliding
 
@@ -29,6 +40,7 @@ if TYPE_CHECKING:
     from deltacal_gen.physics.terms import Kernels
 
 Progress = Callable[[str], None]
+LAW = "law"  # in a ladder: what nobody has registered, all terms together
 VARIED = {  # what must differ more, for effects to be told apart that read a state
     "qd": "speeds, from creeping to the fastest",
     "qdd": "accelerations",
@@ -54,21 +66,22 @@ def diagnose(robot: Robot, given: Trajectories, progress: Progress) -> MotionDia
     whole = searched(session, progress)
     free, session, found = session, whole.session, whole.fits
     rests = [rest(fit, session.declared(fit)) for fit in found]
+    laws, found, rests = _lawful(session, found, rests, progress)
     effects = _effects(session, plain, found)
     if whole.payload is not None:
         effects = (*effects, _payload(whole.payload, whole, plain))
     open_ = [r for r in rests if r is not None]
-    verdict = Verdict.UNEXPLAINED if open_ else Verdict.MISSING_PHYSICS if effects else Verdict.ADEQUATE
+    verdict = Verdict.UNEXPLAINED if open_ else Verdict.MISSING_PHYSICS if effects or laws else Verdict.ADEQUATE
     final = session.left(found)
     return MotionDiagnosis(
         **session.answered(found),
         parameters=tuple(base_parameters(free.rigid, whole.free)),
         traces=traces(session, plain, found),
         verdict=verdict,
-        summary=_summary(effects, open_, session, found),
+        summary=_summary(effects, laws, open_, session, found),
         noise=session.noise(found),
         baseline=session.left(plain, f"{robot.mechanism}/{RIGID}"),
-        location=_location(effects, open_, plain, found),
+        location=_location(effects, laws, open_, plain, found),
         effects=effects,
         search=_search(found),
         final=final,
@@ -77,7 +90,23 @@ def diagnose(robot: Robot, given: Trajectories, progress: Progress) -> MotionDia
         rejected=_rejected(session, effects, found),
         not_tested=_not_tested(session, found),
         next_measurements=_next(session, effects, found),
+        laws=laws,
     )
+
+
+def _lawful(
+    session: Session, fits: Sequence[Fit], rests: Sequence[Rest | None], progress: Progress
+) -> tuple[tuple[TorqueLaw, ...], list[Fit], list[Rest | None]]:
+    """Return the laws of joints that the ladder leaves open, and the fits and rests of all joints with these."""
+    laws: dict[int, Lawful] = {}
+    for fit, left in zip(fits, rests, strict=True):
+        if left is not None:
+            progress(f"a law of joint {fit.joint.number}")
+            if (found := lawful(fit, left, session.declared(fit))) is not None:
+                laws[fit.joint.number] = found
+    with_laws = [laws[f.joint.number].fit if f.joint.number in laws else f for f in fits]
+    left_open = [None if f.joint.number in laws else r for f, r in zip(fits, rests, strict=True)]
+    return told(session, laws), with_laws, left_open
 
 
 def _effects(session: Session, plain: Sequence[Fit], fits: Sequence[Fit]) -> tuple[TorqueEffect, ...]:
@@ -85,6 +114,8 @@ def _effects(session: Session, plain: Sequence[Fit], fits: Sequence[Fit]) -> tup
     of_name: dict[tuple[str, tuple[float, ...]], list[tuple[Fit, int]]] = {}
     for fit in fits:
         for n, rung in enumerate(fit.rungs):
+            if is_law(rung.effect):
+                continue
             key = rung.effect, rung.constants if "orders" in rung.kernels.SEARCHED else ()
             of_name.setdefault(key, []).append((fit, n))
     before = {fit.joint.number: _mean_square(fit) for fit in plain}
@@ -261,7 +292,12 @@ def _ladder(fit: Fit, left: Rest | None) -> LadderOf:
     rungs = [
         RungOf(limb=fit.joint.number, name=rung.effect, buys=float(b), gain_chi2=float(g))
         for rung, b, g in zip(fit.rungs, fit.bought, fit.gains, strict=True)
+        if not is_law(rung.effect)
     ]
+    law = [(b, g) for rung, b, g in zip(fit.rungs, fit.bought, fit.gains, strict=True) if is_law(rung.effect)]
+    if law:
+        buys, gain = (float(sum(each)) for each in zip(*law, strict=True))
+        rungs.append(RungOf(limb=fit.joint.number, name=LAW, buys=buys, gain_chi2=gain))
     if fit.lag is not None:
         rungs.append(RungOf(limb=fit.joint.number, name=LATENCY, buys=fit.lag.bought, gain_chi2=fit.lag.gain))
     stops = f"no further effect buys {100 * BUYS:g} % of the held-out rms"
@@ -274,11 +310,16 @@ def _ladder(fit: Fit, left: Rest | None) -> LadderOf:
 
 
 def _location(
-    effects: Sequence[TorqueEffect], rests: Sequence[Rest], plain: Sequence[Fit], found: Sequence[Fit]
+    effects: Sequence[TorqueEffect],
+    laws: Sequence[TorqueLaw],
+    rests: Sequence[Rest],
+    plain: Sequence[Fit],
+    found: Sequence[Fit],
 ) -> Location:
     """Return where model and recording differ: what is open, or else what the effects explain."""
-    limbs = sorted({r.joint for r in rests} or {i for e in effects for i in e.limbs})
-    texts = [r.text for r in rests] or [_where(e) for e in effects]
+    of_laws = {i for law in laws for t in law.terms for i in t.limbs}
+    limbs = sorted({r.joint for r in rests} or {i for e in effects for i in e.limbs} | of_laws)
+    texts = [r.text for r in rests] or [*(_where(e) for e in effects), *_in_words(laws)]
     where = [fit for fit in (found if rests else plain) if fit.joint.number in limbs]
     known = [(fit.joint.number, d) for fit in where for d in dependences(fit)]
     channels = [
@@ -293,13 +334,26 @@ def _where(effect: TorqueEffect) -> str:
     return f"{effect.title} (joint {', '.join(map(str, effect.limbs))})" if effect.limbs else effect.title
 
 
-def _summary(effects: Sequence[TorqueEffect], rests: Sequence[Rest], session: Session, fits: Sequence[Fit]) -> str:
+def _in_words(laws: Sequence[TorqueLaw]) -> list[str]:
+    """Return every term of a law, in words."""
+    return [f"a torque of {t.expression} (joint {', '.join(map(str, t.limbs))})" for law in laws for t in law.terms]
+
+
+def _summary(
+    effects: Sequence[TorqueEffect],
+    laws: Sequence[TorqueLaw],
+    rests: Sequence[Rest],
+    session: Session,
+    fits: Sequence[Fit],
+) -> str:
     still = [j.number for j in session.joints if j.number not in {fit.joint.number for fit in fits}]
     named = [_where(e) for e in effects]
     parts = [f"Beside the rigid machine the drives overcome {'; '.join(named)}." if named else ""]
+    if laws:
+        parts.append(f"A law that nobody has registered: {'; '.join(_in_words(laws))}.")
     if rests:
         parts.append(f"Not explained: {'; '.join(r.text for r in rests)}.")
-    if not named and not rests:
+    if not named and not laws and not rests:
         parts.append("The rigid machine explains what the drives give.")
     if still:
         parts.append(f"Joint {', '.join(map(str, still))} moves too little to say anything.")

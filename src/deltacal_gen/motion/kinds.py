@@ -15,6 +15,7 @@ from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion import trajectories
 from deltacal_gen.motion.trajectories import Sidecar, Trajectories
+from deltacal_gen.physics.law import is_law
 from deltacal_gen.physics.terms import drive_effect_names, load_effect
 from deltacal_gen.results.motion import MotionDiagnosis, MotionModel, MotionResult, MotionValidation
 from deltacal_gen.units import joint_factors, joint_names
@@ -109,10 +110,14 @@ def flaws(known: MotionModel) -> Iterator[tuple[str, str]]:
         if any(not 0 <= c < len(known.inertial) for c in model.columns):
             yield f"joints[{k}]", "it names inertial parameters that the machine does not have"
         for term in model.terms:
-            if term.effect not in drive_effect_names():
+            if not is_law(term.effect) and term.effect not in drive_effect_names():
                 yield f"joints[{k}]", f"there is no effect '{term.effect}' on what drives give"
                 continue
-            kernels = load_effect(term.effect)
+            try:
+                kernels = load_effect(term.effect)
+            except ValueError as error:  # a law that is none
+                yield f"joints[{k}]", str(error).rstrip(".")
+                continue
             wanted = len(kernels.COEFFICIENTS), len(kernels.CONSTANTS)
             if (len(term.values), len(term.constants)) != wanted:
                 yield f"joints[{k}]", f"{term.effect} needs {wanted[0]} values and {wanted[1]} constants"

@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 
 from deltacal_gen.pages.figures import AFTER, BEFORE, MUTED
 from deltacal_gen.physics.formula import formula
-from deltacal_gen.results.diagnosis import Law, LawTerm
+from deltacal_gen.results.diagnosis import LawOf, LawTerm
 from deltacal_gen.results.shown import rounded
 
 WITHIN = 1.96  # standard deviations of the band: 95 %
@@ -21,15 +21,25 @@ _BINDS = {ast.Add: 1, ast.Sub: 1, ast.Mult: 2, ast.Div: 3, ast.Pow: 4}
 
 def where(term: LawTerm) -> str:
     """Return at which limbs a term sits, in words."""
-    limbs = term.limbs
-    return f" at limb{'s' if len(limbs) > 1 else ''} {', '.join(map(str, limbs))}" if limbs else ""
+    limbs, part = term.limbs, part_of(term)
+    return f" at {part}{'s' if len(limbs) > 1 else ''} {', '.join(map(str, limbs))}" if limbs else ""
 
 
-def headline(law: Law) -> str:
+def part_of(term: LawTerm) -> str:
+    """Return what the limbs of a term are called: drives are of joints."""
+    return "joint" if term.target == "torque" else "limb"
+
+
+def headline(law: LawOf) -> str:
     """Return a law in a few words."""
     return "A law that nobody has registered: " + " and ".join(
         f"{t.target} goes with {' and '.join(_states(t))}{where(t)}" for t in law.terms
     )
+
+
+def title(law: LawOf) -> str:
+    """Return what a law is called among effects."""
+    return f"a law of {' and '.join(dict.fromkeys(s for t in law.terms for s in _states(t)))}"
 
 
 def _states(term: LawTerm) -> tuple[str, ...]:
@@ -37,7 +47,7 @@ def _states(term: LawTerm) -> tuple[str, ...]:
     return tuple(n for n in formula(term.expression).names if n not in own)
 
 
-def rows(law: Law) -> list[tuple[str, ...]]:
+def rows(law: LawOf) -> list[tuple[str, ...]]:
     """Return the numbers of a law, as a table has them."""
     return [
         (
@@ -56,7 +66,7 @@ def _number(value: float, std: float | None) -> str:
     return f"{value:.4g}" if std is None else " ± ".join(rounded(value, std))
 
 
-def mathematics(law: Law) -> list[str]:
+def mathematics(law: LawOf) -> list[str]:
     """Return every term as MathML."""
     return [
         f'<math display="block"><mi>{html.escape(t.target)}</mi><mo>+=</mo>{mathml(t.expression)}</math>'
@@ -126,7 +136,7 @@ def _bracketed(inside: str, needed: bool) -> str:
     return f"<mrow><mo>(</mo>{inside}<mo>)</mo></mrow>" if needed else f"<mrow>{inside}</mrow>"
 
 
-def along(axes: Axes, law: Law) -> None:
+def along(axes: Axes, law: LawOf) -> None:
     """Draw a law along its first state: what the readings say, the curve, and its band of 95 %."""
     curve = law.curve
     if curve is None:
@@ -144,19 +154,20 @@ def along(axes: Axes, law: Law) -> None:
     axes.set_ylabel(f"{law.terms[0].target}, {curve.target_unit}")
 
 
-def described(law: Law, others: tuple[Law, ...]) -> dict[str, Any]:
-    """Return what a page says of a law beside its picture."""
+def described(law: LawOf, others: tuple[LawOf, ...], heldout: str, remainder: float | None = None) -> dict[str, Any]:
+    """Return what a page says of a law beside its picture; `heldout` is what is left of readings, with the unit."""
     seen = ", ".join(f"{s} {low:.4g} to {high:.4g}" for s, (low, high) in law.range.items())
     return {
         "mathematics": mathematics(law),
         "rows": rows(law),
         "places": [f"{t.target}{where(t)}" for t in law.terms],
         "range": seen,
-        "heldout": f"{law.heldout_rms_mm:.4f}",
+        "part": part_of(law.terms[0]),
+        "heldout": heldout,
         "share": f"{law.share_of_excess:.0%}",
         "gain": f"{law.gain:.0f}",
         "charge": f"{law.charge:.0f}",
-        "remainder": None if law.remainder_rms_mm is None else f"{law.remainder_rms_mm:.4f}",
+        "remainder": None if remainder is None else f"{remainder:.4f}",
         "alike": list(law.alike),
         "others": [" and ".join(f"{t.target} by {t.expression}{where(t)}" for t in o.terms) for o in others],
     }

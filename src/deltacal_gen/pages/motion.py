@@ -10,7 +10,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from deltacal_gen.motion.payload import ADVICE, PAYLOAD
-from deltacal_gen.pages import report
+from deltacal_gen.pages import laws, report
 from deltacal_gen.pages.figures import AFTER, BEFORE, MUTED
 from deltacal_gen.physics.terms import load_effect
 from deltacal_gen.results.diagnosis import Verdict
@@ -23,6 +23,7 @@ _VERDICTS = {
 }
 OVER_TIME, AGAINST = (3.9, 1.9), (7.4, 1.9)  # sizes of a picture [inches]
 WIDE = 7.4
+LAW = (6.4, 3.0)
 SHADES = (AFTER, "#5b8fb0", "#8fb3c9", "#c3d6e2")  # of rungs, the one that buys most first
 DOT = 3.0
 
@@ -32,7 +33,15 @@ def motion(found: MotionResult | MotionDiagnosis) -> str:
     machine = found.robot.robot.name
     diagnosed = isinstance(found, MotionDiagnosis)
     each = {} if isinstance(found, MotionResult) else _diagnosed(found)
-    blank: dict[str, Any] = {"steps": [], "ladder": "", "stops": "", "parameters": [], "rejected": [], "not_tested": []}
+    blank: dict[str, Any] = {
+        "steps": [],
+        "law": None,
+        "ladder": "",
+        "stops": "",
+        "parameters": [],
+        "rejected": [],
+        "not_tested": [],
+    }
     own = any(p.limb is not None for p in found.parameters)
     return report.page_of(
         "motion",
@@ -70,7 +79,7 @@ def motion(found: MotionResult | MotionDiagnosis) -> str:
 
 def _diagnosed(found: MotionDiagnosis) -> dict[str, Any]:
     """Return what only the page of a diagnosis shows."""
-    names = ", ".join(dict.fromkeys(e.title for e in found.effects))
+    names = ", ".join(dict.fromkeys([*(e.title for e in found.effects), *map(laws.title, found.laws)]))
     return {
         "badge": found.verdict.value,
         "verdict": _VERDICTS[found.verdict],
@@ -90,10 +99,22 @@ def _diagnosed(found: MotionDiagnosis) -> dict[str, Any]:
             for e in found.effects
             for p in e.parameters
         ],
+        "law": _law(found),
         "rejected": [(report.spaced(r.name), f"{r.gain_chi2:.0f}", r.why) for r in found.rejected],
         "next": [(report.spaced(n.why), n.text) for n in found.next_measurements],
         "not_tested": [(report.spaced(t.name), t.missing) for t in found.not_tested],
     }
+
+
+def _law(found: MotionDiagnosis) -> dict[str, object] | None:
+    """Return the law that was found as a page shows it."""
+    if not found.laws:
+        return None
+    law = found.laws[0]
+    each = enumerate(zip(law.heldout_rms_by_joint, law.unit_by_joint, strict=True), 1)
+    left = ", ".join(f"{value:.4g} {unit} of joint {j}" for j, (value, unit) in each if value is not None)
+    picture = "" if law.curve is None else report.picture(partial(laws.along, law=law), LAW)
+    return laws.described(law, (), left) | {"svg": picture}
 
 
 def _step(effect: TorqueEffect) -> str:

@@ -350,7 +350,8 @@ def _law(found: Diagnosis) -> dict[str, object] | None:
         return None
     best, *others = found.laws
     picture = "" if best.curve is None else _svg(partial(laws.along, law=best), (6.4, 3.0))
-    return laws.described(best, tuple(others)) | {"svg": picture}
+    left = f"{best.heldout_rms_mm:.4f} mm"
+    return laws.described(best, tuple(others), left, best.remainder_rms_mm) | {"svg": picture}
 
 
 def _heldout(fit: Baseline | Final) -> float:

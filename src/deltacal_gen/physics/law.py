@@ -21,7 +21,10 @@ from deltacal_gen.physics.states import State
 
 PREFIX = "law "
 BEYOND = 0.5  # of the width that was seen: how far a law goes on beyond it
-ON = {"joint": "limb", "limb": "limb", "turn": "base", "tool": "point", "reading": "reading", "length": "reading"}
+ON = {
+    **{"joint": "limb", "torque": "limb", "limb": "limb"},
+    **{"turn": "base", "tool": "point", "reading": "reading", "length": "reading"},
+}
 LEAST, MOST = "least_", "most_"  # of a state, where the law was found
 ADVICE = (
     "Nobody has registered this: it was read from the recording. Look for a part that behaves so; until then command "
@@ -53,7 +56,7 @@ class Law:
         if not name.startswith(PREFIX) or not equals or word not in ON:
             raise ValueError(f"'{name}' is no law: write '{PREFIX}TARGET = FORMULA', TARGET one of {', '.join(ON)}.")
         self.NAME, self.formula = name, formula(text)
-        self.TITLE = f"{target} moves by {text}"
+        self.TITLE = f"{target} {'is more' if target == 'torque' else 'moves'} by {text}"
         self.ACTS_ON = ON[word]
         self.PER_LIMB = self.ACTS_ON == "limb"
         self.TARGETS = (target,)
@@ -93,12 +96,15 @@ class Law:
         """State and time constant of every Lag."""
         return self.formula.lags
 
-    def units(self, joint_unit: str) -> dict[str, Unit]:
-        """Return the unit inside of every constant, where joints are in `joint_unit` (rad or mm)."""
+    def units(self, joint_unit: str, read: str = "") -> dict[str, Unit]:
+        """Return the unit inside of every constant, where joints are in `joint_unit` (rad or mm).
+
+        `read` is that of the target, where it is not what the target itself has: a torque that is read as a current.
+        """
         known = {s: unit(inside(states.named(s), joint_unit)) for s in self.STATE}
         target = self.TARGETS[0]
-        of = joint_unit if target == "joint" else "rad" if target.startswith("turn.") else "mm"
-        return self.formula.units(known, unit(of))
+        of = {"joint": joint_unit, "torque": "N" if joint_unit == "mm" else "N mm"}.get(target)
+        return self.formula.units(known, unit(read or of or ("rad" if target.startswith("turn.") else "mm")))
 
     def value(self, s: Array, c: Array, constants: Sequence[float | str] = ()) -> Array:
         """Return by how much the target is moved, (M, 1); s are states, then what is lagged."""

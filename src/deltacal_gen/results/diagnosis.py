@@ -169,23 +169,28 @@ class LawCurve(Value):
     """What the readings say there."""
 
 
-class Law(Value):
-    """A law that explains what no registered effect does; several are alternatives, never a sum."""
+class LawOf(Value):
+    """What every law says that explains what no registered effect does; several are alternatives, never a sum."""
 
     terms: tuple[LawTerm, ...]
     states: tuple[str, ...]
     range: dict[str, tuple[float, float]]
     """Between which values each state was."""
-    heldout_rms_mm: float
-    """Of readings that took no part in finding it."""
     share_of_excess: float
-    """Part of their variance above the noise that it removes."""
+    """Part of the variance above the noise that it removes, of readings that took no part in finding it."""
     gain: float
     charge: float
     alike: tuple[str, ...]
     """Laws that these readings cannot tell from it."""
     borne_out: bool
     curve: LawCurve | None = None
+
+
+class Law(LawOf):
+    """A law of a machine at rest."""
+
+    heldout_rms_mm: float
+    """Of readings that took no part in finding it."""
     remainder_rms_mm: float | None = None
     """By which what the form leaves of its states moves readings besides: predicted, never told; null for none."""
 

@@ -10,7 +10,7 @@ from collections.abc import Iterable
 from typing import Literal
 
 from deltacal_gen.results.base import Answer, Column, Numbers, Value
-from deltacal_gen.results.diagnosis import Effect, Hint, Law, Location, NextMeasurement, Rejected, Searched, Verdict
+from deltacal_gen.results.diagnosis import Effect, Hint, LawOf, Location, NextMeasurement, Rejected, Searched, Verdict
 from deltacal_gen.results.parts import Made, Missing, RobotTables, Source
 from deltacal_gen.results.result import OpenCombination, Parameter, Read, Regularisation
 from deltacal_gen.results.study import Suspect
@@ -271,6 +271,17 @@ class TorqueRejected(Rejected):
     heldout_rms_by_joint: ByJoint
 
 
+class TorqueLaw(LawOf):
+    """A law of drives; held-out figures joint by joint are in `unit_by_joint`, null where the joint has no law."""
+
+    heldout_rms_Nm: float | None = None
+    heldout_rms_N: float | None = None
+    heldout_rms_A: float | None = None
+    heldout_rms_1: float | None = None
+    heldout_rms_by_joint: ByJoint
+    unit_by_joint: tuple[str, ...]
+
+
 class MotionDiagnosis(MotionModel):
     """Which friction and relatives of it a machine in motion has: contract, second part, section 8."""
 
@@ -290,7 +301,8 @@ class MotionDiagnosis(MotionModel):
     hints: tuple[Hint, ...] = ()
     not_tested: tuple[Missing, ...]
     next_measurements: tuple[NextMeasurement, ...]
-    laws: tuple[Law, ...] = ()
+    laws: tuple[TorqueLaw, ...] = ()
+    """At most one: of every joint that has one a term or more, each at its joint."""
 
     @property
     def headline(self) -> str:

@@ -23,6 +23,7 @@ from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.feedforward import readouts_of_model
 from deltacal_gen.motion.limits import limits_of
+from deltacal_gen.physics.law import is_law
 from deltacal_gen.physics.terms import load_effect
 from deltacal_gen.results.motion import JointModel, MotionModel, TorqueTerm
 from deltacal_gen.units import file_unit, joint_factors, joint_names
@@ -295,6 +296,11 @@ def _effects(joints: Sequence[JointModel]) -> list[str]:
     names = dict.fromkeys(term.effect for model in joints for term in model.terms)
     folder = importlib.resources.files("deltacal_kernels").joinpath("effects")
     for name in names:
+        if is_law(name):
+            raise UsageError(
+                f"C is made of derived effects, and '{name}' is a law. Write it down (deltacal diagnose "
+                "--write-effect), derive it (deltacal kernels), and diagnose again."
+            )
         if lacking := [s for s in load_effect(name).STATE if s not in STATES]:
             raise UsageError(
                 f"{name} depends on '{lacking[0]}', which a controller does not have: it cannot be exported."

@@ -177,8 +177,10 @@ def diagnose(
     if write_effect is not None:
         effect_name(Path(write_effect))
     if (moving := in_motion(recording)) is not None:
-        refuse_in_motion(model=model, write_effect=write_effect)
+        refuse_in_motion(model=model)
         found_in_motion = moving.diagnose(as_robot(robot), progress)
+        if write_effect is not None and found_in_motion.laws:
+            write_files({Path(write_effect): effect_file(found_in_motion.laws[0], Path(write_effect))})
         return cast("Diagnosis", _finished(found_in_motion, output, report, robot, recording))
     files = (robot, recording)
     robot = as_robot(robot)

@@ -19,8 +19,7 @@ from deltacal_gen.errors import UsageError
 from deltacal_gen.physics.formula import FUNCTIONS, LAG, Unit, unit, written
 from deltacal_gen.physics.law import PREFIX, Law, inside, load_law
 from deltacal_gen.physics.states import named
-from deltacal_gen.results.diagnosis import Law as Told
-from deltacal_gen.results.diagnosis import LawTerm
+from deltacal_gen.results.diagnosis import LawOf, LawTerm
 from deltacal_gen.units import DEG
 
 BELIEVABLE = 10.0  # times what was found: how large a coefficient may be, until someone knows better
@@ -39,7 +38,7 @@ class _Part:
     constants: dict[str, tuple[float, Unit]]
 
 
-def effect_file(told: Told, path: Path) -> str:
+def effect_file(told: LawOf, path: Path) -> str:
     """Return the text of an effect's file, named after the file.
 
     Raises
@@ -104,7 +103,7 @@ def effect_name(path: Path) -> str:
     return path.stem
 
 
-def _in_words(told: Told) -> str:
+def _in_words(told: LawOf) -> str:
     return "; ".join(f"{t.target} by {t.expression}" for t in told.terms)
 
 
@@ -158,7 +157,7 @@ def _of_files(of: Unit) -> tuple[str, float, str]:
     return written(shown), factor, repr(factor)
 
 
-def _reference(told: Told, parts: Sequence[_Part], states: Sequence[str]) -> str:
+def _reference(told: LawOf, parts: Sequence[_Part], states: Sequence[str]) -> str:
     """Return a reference value: what the law makes of states within their range."""
     at = {s: told.range[s][0] + AT * (told.range[s][1] - told.range[s][0]) for s in states}
     lags = list(dict.fromkeys(lag for p in parts for lag in p.law.lags))

@@ -17,12 +17,12 @@ from functools import cached_property
 import numpy as np
 
 from deltacal_gen.diagnosis.beside import Beside
-from deltacal_gen.diagnosis.laws.grammar import CONSTANT, LAGS, Form
 from deltacal_gen.diagnosis.search import gains
 from deltacal_gen.estimation.fit import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.formula import formula
+from deltacal_gen.physics.grammar import CONSTANT, LAGS, Form
 from deltacal_gen.physics.law import PREFIX, followed, load_law
 from deltacal_gen.physics.memory import recursion
 from deltacal_gen.physics.states import CHANNELS, named

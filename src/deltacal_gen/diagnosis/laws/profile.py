@@ -11,9 +11,9 @@ import dataclasses
 
 import numpy as np
 
-from deltacal_gen.diagnosis.laws.grammar import Form
 from deltacal_gen.diagnosis.laws.ground import Ground, Place, Tried
 from deltacal_gen.machine.registry import Array
+from deltacal_gen.physics.grammar import Form
 
 SUDDEN = ("Heaviside(", "Mod(")  # functions that jump where a constant says so
 STEPS = 60  # of the search along each constant

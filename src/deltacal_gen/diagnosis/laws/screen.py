@@ -13,13 +13,13 @@ from functools import cache
 
 import numpy as np
 
-from deltacal_gen.diagnosis.laws import grammar
-from deltacal_gen.diagnosis.laws.grammar import Form
 from deltacal_gen.diagnosis.laws.ground import Ground, Place, Tried
 from deltacal_gen.diagnosis.laws.profile import refine
 from deltacal_gen.diagnosis.search import MOST_SETS, best_set, gains, quantile
 from deltacal_gen.diagnosis.strategy import MARGIN
 from deltacal_gen.machine.registry import Array
+from deltacal_gen.physics import grammar
+from deltacal_gen.physics.grammar import Form
 
 PART = 2 * np.log(4)  # of chi2: price of each part that there is to say of a law, one of four or more that it may be
 LOOKED_AT = 10  # states, or pairs of them, at a place, of which every function is tried

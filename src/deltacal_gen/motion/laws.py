@@ -1,0 +1,348 @@
+"""Laws of a drive: what a joint's torque has that no registered effect is, written down in the states of that joint.
+
+Sought where the ladder of a joint leaves what depends on something that was recorded. The grammar is that of laws of
+machines at rest (`deltacal_gen.physics.grammar`): functions of one state of the joint, and friction, with the
+speed or its sign, that another state changes. A law is a rung like any other: `JointModel` holds it, and what predicts
+or commands takes it from there.
+
+Some folds take no part in the search. What is told must take most of that away there which a smooth function of
+anything recorded takes away.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+from scipy.optimize import minimize
+
+from deltacal_gen.motion.joint import Fit, fitted
+from deltacal_gen.motion.ladder import BEGUN_WITH, BUYS, PER_COEFFICIENT
+from deltacal_gen.motion.library import Rung
+from deltacal_gen.motion.regression import Bench
+from deltacal_gen.motion.unexplained import SHOWS, Rest, channels, rest
+from deltacal_gen.physics.grammar import THRESHOLDS, Atom, Form, full, product, single, switch
+from deltacal_gen.physics.law import PREFIX, Law, load_law
+
+if TYPE_CHECKING:
+    from deltacal_gen.machine.registry import Array
+
+# states that a law is made of; of the time none is: what wanders is met by any function of it
+OF = ("q", "qd", "qdd", "torque", "temperature")
+TERMS = 2  # of a law
+SCREENED = 6000  # samples at which every form is looked at
+REFINED = 8  # forms whose constants are sought between the steps of their grid
+HELD_BACK = 3  # every which fold takes no part in the search
+MOST_OF = 0.8  # of what a smooth function takes away of squares that took no part: what a law must
+ALIKE = 10.0  # of chi2: forms that earn so much less are not told apart from the best
+TRIED = 150  # evaluations in which constants are refined
+STEP = 0.02  # of a state's range, either way: for a derivative by a constant
+
+
+@dataclass(frozen=True, eq=False)
+class Lawful:
+    """A law of one joint.
+
+    Attributes
+    ----------
+    fit : Fit
+        Of the joint, the law's terms the last of its rungs.
+    forms : tuple of Form
+        Its terms.
+    limits : dict
+        Between which values each state was, in units inside.
+    gain, charge : float
+        Of chi2, on the folds of the search.
+    heldout : float
+        Rms on folds that took no part, in units inside.
+    share : float
+        Part of the excess over noise there that it takes away, in squares.
+    alike : tuple of str
+        Expressions that the readings do not tell from its first term.
+    std : tuple of float
+        Standard deviations of its coefficients and constants, term by term, coefficients first.
+    """
+
+    fit: Fit
+    forms: tuple[Form, ...]
+    limits: dict[str, tuple[float, float]]
+    gain: float
+    charge: float
+    heldout: float
+    share: float
+    alike: tuple[str, ...]
+    std: tuple[tuple[float, ...], ...]
+
+    @property
+    def rungs(self) -> tuple[Rung, ...]:
+        """Its terms."""
+        return self.fit.rungs[len(self.fit.rungs) - len(self.forms) :]
+
+
+def lawful(fit: Fit, left: Rest | None, sigma: float | None) -> Lawful | None:
+    """Return the law that explains what is left of a joint; None where nothing is, or no law holds.
+
+    `sigma` is the noise where it is declared; see `rest`.
+    """
+    if left is None or not left.channel:
+        return None
+    folds = sorted({int(f) for f in np.unique(fit.joint.fold)} - {-1})
+    apart = folds[::HELD_BACK] if len(folds) > 1 else []
+    inside = [f for f in folds if f not in apart]
+    if not inside or not apart:
+        return None
+    states = fit.joint.states | {"torque": fit.load}
+    limits = {name: (float(values.min()), float(values.max())) for name, values in states.items()}
+    search = _Search(fit, states, limits, inside)
+    forms, gain, charge, alike = search.found()
+    if not forms or (proof := _proof(fit, [_rung(f, limits) for f in forms], inside, apart)) is None:
+        return None
+    every = _Search(fit, states, limits, folds)
+    forms = tuple(every.refined(form, forms[:k]) for k, form in enumerate(forms))
+    terms = [_rung(form, limits) for form in forms]
+    kept = _needed(fit, terms)
+    after = fitted(fit.joint, [*(fit.rungs[k] for k in kept), *terms])
+    after = replace(after, lag=fit.lag, passed_over=fit.passed_over, first=fit.first)
+    if rest(after, sigma) is not None:
+        return None
+    bought, gains = _worth(fit, kept, terms)
+    alike_of = (*(fit.alike[k] for k in kept), *[()] * len(terms))
+    after = replace(after, bought=bought, gains=gains, alike=alike_of)
+    read = {state: limits[state] for form in forms for state in load_law(_name(form)).STATE}
+    return Lawful(after, forms, read, gain, charge, *proof, alike, _std(after, forms, limits))
+
+
+def _needed(fit: Fit, terms: Sequence[Rung]) -> list[int]:
+    """Return which rungs of a fit still pay beside a law: what stood for it before is no effect of its own."""
+    kept = list(range(len(fit.rungs)))
+    while kept:
+        bought, gains = _worth(fit, kept, terms)
+        price = [PER_COEFFICIENT * fit.rungs[k].width + 2 * float(np.log(len(fit.joint.candidates))) for k in kept]
+        pays = [
+            gains[n] > price[n] and (bought[n] >= BUYS or fit.rungs[k].effect in BEGUN_WITH) for n, k in enumerate(kept)
+        ]
+        if all(pays):
+            break
+        del kept[min((n for n, paid in enumerate(pays) if not paid), key=lambda n: bought[n])]
+    return kept
+
+
+def _worth(fit: Fit, kept: Sequence[int], terms: Sequence[Rung]) -> tuple[tuple[float, ...], tuple[float, ...]]:
+    """Return what each rung kept, then each term, takes of the held-out rms, and earns in chi2, beside the others."""
+    joint, every = fit.joint, [*(fit.rungs[k] for k in kept), *terms]
+    X = joint.columns(every, fit.load)
+    bench = Bench.of(X, joint.y, joint.fold, joint.X.shape[1])
+    whole, folds, at = range(X.shape[1]), bench.folds, joint.X.shape[1]
+    held, left = bench.held_out(whole, folds), bench.train(whole, folds)
+    samples = float(bench.n[list(folds)].sum())
+    bought, gains = [], []
+    for rung in every:
+        others = [c for c in whole if not at <= c < at + rung.width]
+        at += rung.width
+        apart = joint.y - X[:, others] @ (bench.fit(others, range(len(bench.n))) / bench.scale[others])
+        bought.append(1.0 - float(np.sqrt(held / bench.held_out(others, folds))))
+        gains.append(samples / joint.correlated(apart) * float(np.log(bench.train(others, folds) / max(left, 1e-300))))
+    return tuple(bought), tuple(gains)
+
+
+def _name(form: Form) -> str:
+    return f"{PREFIX}torque = {form.text}"
+
+
+def _rung(form: Form, limits: dict[str, tuple[float, float]]) -> Rung:
+    """Return a form as a rung: its constants as its module reads them, then where each state was."""
+    law = load_law(_name(form))
+    assert isinstance(law, Law)
+    first = len(form.functions) + 1
+    inner = {f"c{first + k}": v for k, v in enumerate(form.constants)}
+    return Rung(law.NAME, (*(inner[name] for name in law.inner), *itertools.chain(*(limits[s] for s in law.STATE))))
+
+
+def _forms(states: dict[str, Array]) -> Iterator[Form]:
+    """Yield what the torque of a joint may have besides: see the module."""
+    own = {name: states[name] for name in OF if name in states and np.ptp(states[name]) > 0}
+    for name, values in own.items():
+        yield from (single(name, atom) for atom in (*full(name, values), *_stops(name, values)))
+    for friction in (Atom("sign(qd)"), Atom("qd")):
+        for name, values in own.items():
+            if name in ("qd", "qdd") or switch(values):
+                continue
+            yield from (product(("qd", friction), (name, atom)) for atom in full(name, values))
+
+
+def _stops(state: str, values: Array) -> Iterator[Atom]:
+    """Yield what begins at a value and goes on to one side: springs and stops, straight or ever harder."""
+    for k in np.quantile(values, THRESHOLDS):
+        yield Atom(f"Max({{0}} - {state}, 0)", (float(k),), 3)
+        yield Atom(f"Max({state} - {{0}}, 0)**2", (float(k),), 4)
+        yield Atom(f"Max({{0}} - {state}, 0)**2", (float(k),), 4)
+
+
+class _Search:
+    """Forms beside all that a fit of a joint has, on some folds: screened at some samples, refined, and held out."""
+
+    def __init__(
+        self, fit: Fit, states: dict[str, Array], limits: dict[str, tuple[float, float]], folds: Sequence[int]
+    ) -> None:
+        self.fit, self.states, self.limits, self.folds = fit, states, limits, folds
+        rows = np.flatnonzero(np.isin(fit.joint.fold, folds))
+        self.rows = rows[:: -(-len(rows) // SCREENED)]
+        self.some = {name: values[self.rows] for name, values in states.items()}
+        self.own = fit.joint.columns(fit.rungs, fit.load)
+        self._begin([])
+
+    def _begin(self, terms: Sequence[Rung]) -> None:
+        """Take terms of the law as known beside what the fit has."""
+        beside = np.hstack([self.own, *(rung.columns(self.states) for rung in terms)])
+        self.beside = beside
+        size = np.sqrt(np.mean(beside[self.rows] ** 2, axis=0))
+        Q, R = np.linalg.qr(beside[self.rows] / np.where(size > 0, size, 1.0))
+        firm = np.abs(np.diag(R)) > 1e-8 * np.abs(R).max(initial=0.0)
+        self.Q = Q[:, firm]
+        y = self.fit.joint.y[self.rows]
+        self.left = y - self.Q @ (self.Q.T @ y)
+
+    def explained(self, form: Form) -> float:
+        """Return which part of the squares that are left a form takes away, at the samples of the screen."""
+        with np.errstate(all="ignore"):
+            Z = _rung(form, self.limits).columns(self.some)
+        if not np.isfinite(Z).all():
+            return 0.0
+        size = np.sqrt((Z**2).sum(axis=0))
+        Z = Z - self.Q @ (self.Q.T @ Z)
+        free = np.sqrt((Z**2).sum(axis=0))
+        if (free <= 1e-6 * size).any():
+            return 0.0
+        found = np.linalg.lstsq(Z / free, self.left, rcond=1e-9)[0]
+        return float(1.0 - np.sum((self.left - Z / free @ found) ** 2) / np.sum(self.left**2))
+
+    def refined(self, form: Form, before: Sequence[Form] = ()) -> Form:
+        """Return a form with the constants that explain most."""
+        if not form.constants:
+            return form
+        self._begin([_rung(f, self.limits) for f in before])
+        start, span = np.array(form.constants), np.array([self._span(form, k) for k in range(len(form.constants))])
+        positive = start > 0
+        simplex = np.vstack([np.zeros(len(start)), 0.1 * np.eye(len(start))])
+
+        def unexplained(moved: Array) -> float:
+            constants = start + moved * span
+            if (positive & (constants <= 0)).any():
+                return 0.0
+            return -self.explained(form.with_constants(constants))
+
+        best = minimize(
+            unexplained,
+            np.zeros(len(start)),
+            method="Nelder-Mead",
+            options={"initial_simplex": simplex, "maxfev": TRIED, "xatol": 1e-4, "fatol": 1e-9},
+        )
+        return form.with_constants(start + best.x * span)
+
+    def _span(self, form: Form, k: int) -> float:
+        """Return by how much a constant may well differ: its own size, or the range of the state that it counts in."""
+        low, high = self.limits[form.states[-1]]
+        return max(0.5 * abs(form.constants[k]), 0.05 * (high - low))
+
+    def found(self) -> tuple[tuple[Form, ...], float, float, tuple[str, ...]]:
+        """Return the terms that earn their charge, their gain and charge in chi2, and what is like the first."""
+        forms = list(_forms(self.states))
+        chosen: list[Form] = []
+        gain = charge = 0.0
+        alike: tuple[str, ...] = ()
+        while len(chosen) < TERMS:
+            self._begin([_rung(f, self.limits) for f in chosen])
+            shares = np.array([self.explained(form) for form in forms])
+            first = [self.refined(forms[k], chosen) for k in np.argsort(-shares)[:REFINED]]
+            self._begin([_rung(f, self.limits) for f in chosen])
+            priced = sorted(((*self._earned(form, len(forms)), form) for form in first), key=lambda e: e[1] - e[0])
+            earned, price, best = priced[0]
+            if earned <= price or self._buys(best) < BUYS:
+                break
+            if not chosen:
+                near = [f for g, c, f in priced[1:] if (earned - price) - (g - c) < ALIKE]
+                alike = tuple(f"torque = {f.text}" for f in near if f.text != best.text)
+            chosen, gain, charge = [*chosen, best], gain + earned, charge + price
+        return tuple(chosen), gain, charge, alike
+
+    def _earned(self, form: Form, tried: int) -> tuple[float, float]:
+        """Return what a form earns in chi2, samples that hang together counted as one, and what it is charged."""
+        joint = self.fit.joint
+        X = np.hstack([self.beside, _rung(form, self.limits).columns(self.states)])
+        bench = Bench.of(X, joint.y, joint.fold, joint.X.shape[1])
+        own, every = range(self.beside.shape[1]), range(X.shape[1])
+        after = bench.fit(every, self.folds)
+        count = float(bench.n[list(self.folds)].sum()) / joint.correlated(joint.y - X @ (after / bench.scale))
+        gain = count * float(np.log(bench.train(own, self.folds) / max(bench.train(every, self.folds), 1e-300)))
+        return gain, PER_COEFFICIENT * (form.length + len(form.constants)) + 2 * float(np.log(tried))
+
+    def _buys(self, form: Form) -> float:
+        """Return which part of the held-out rms a form takes away, within the folds of the search or beyond."""
+        joint = self.fit.joint
+        X = np.hstack([self.beside, _rung(form, self.limits).columns(self.states)])
+        bench = Bench.of(X, joint.y, joint.fold, joint.X.shape[1])
+        folds = self.folds if len(self.folds) > 1 else bench.folds
+        own, every = range(self.beside.shape[1]), range(X.shape[1])
+        return 1.0 - float(np.sqrt(bench.held_out(every, folds) / bench.held_out(own, folds)))
+
+
+def _proof(fit: Fit, terms: Sequence[Rung], inside: Sequence[int], apart: Sequence[int]) -> tuple[float, float] | None:
+    """Return the rms on folds that took no part, and the share of the excess taken away; None where it does not hold.
+
+    Coefficients are of the folds of the search.
+    """
+    joint, states = fit.joint, fit.joint.states | {"torque": fit.load}
+    own = joint.columns(fit.rungs, fit.load)
+    law = np.hstack([rung.columns(states) for rung in terms])
+    smooth = list(channels(fit).values())
+    bench = Bench.of(np.hstack([own, law, *smooth]), joint.y, joint.fold, joint.X.shape[1])
+    first = range(own.shape[1])
+    bench = bench.with_ridge(first, inside) if len(inside) > 1 else bench
+
+    def left(more: Sequence[int]) -> float:
+        columns = [*first, *more]
+        return bench.error(columns, bench.fit(columns, inside), apart)
+
+    at = own.shape[1]
+    before, after = left([]), left(range(at, at := at + law.shape[1]))
+    others = []
+    for each in smooth:
+        others.append(left(range(at, at + each.shape[1])))
+        at += each.shape[1]
+    count = float(bench.n[list(apart)].sum())
+    if 1.0 - np.sqrt(after / before) < SHOWS or before - after < MOST_OF * (before - min(others)):
+        return None
+    noise = min(after, *others)
+    share = (before - after) / max(before - noise, 1e-300)
+    return float(np.sqrt(after / count)), float(np.clip(share, 0.0, 1.0))
+
+
+def _std(fit: Fit, forms: Sequence[Form], limits: dict[str, tuple[float, float]]) -> tuple[tuple[float, ...], ...]:
+    """Return standard deviations of coefficients and constants of a law, all fitted with everything else."""
+    joint, states = fit.joint, fit.joint.states | {"torque": fit.load}
+    X = joint.columns(fit.rungs, fit.load)
+    at = X.shape[1] - sum(len(form.functions) for form in forms)
+    columns, places = [X], []
+    end = X.shape[1]
+    for form in forms:
+        own = fit.coefficients[at : at + len(form.functions)]
+        by = []
+        for k, value in enumerate(form.constants):
+            step = STEP * max(abs(value), 1e-3 * float(np.ptp(limits[form.states[-1]])))
+            sides = []
+            for side in (step, -step):
+                moved = [*form.constants[:k], value + side, *form.constants[k + 1 :]]
+                sides.append(_rung(form.with_constants(moved), limits).columns(states) @ own)
+            by.append((sides[0] - sides[1]) / (2 * step))
+        columns += [np.column_stack(by)] if by else []
+        places.append([*range(at, at + len(own)), *range(end, end + len(by))])
+        at, end = at + len(own), end + len(by)
+    whole = np.hstack(columns)
+    bench = Bench.of(whole, joint.y, joint.fold, joint.X.shape[1])
+    bench = bench.with_ridge(range(X.shape[1]))
+    variance = fit.sigma**2 * fit.together
+    std = np.sqrt(np.maximum(np.diag(bench.covariance(range(whole.shape[1]))), 0.0) * variance) / bench.scale
+    return tuple(tuple(float(std[i]) for i in own) for own in places)
