@@ -114,11 +114,17 @@ def test_every_law_of_one_joint_is_named_with_its_size(tmp_path: Path, name: str
 
 
 def test_what_no_rung_explains_is_told_with_its_joint(tmp_path: Path) -> None:
-    """A stop: a spring that begins at an angle."""
-    stop = np.array([0.0, 1.0, 0.0])
-    path = written(
-        tmp_path, lambda s, load: -30.0 * np.maximum(np.abs(s[0]) - 0.15, 0) ** 1 * np.sign(s[0]) * stop, seed=3
-    )
+    """A stop in which the rest of a movement is lost: torque that depends on the ways it came."""
+    second = np.array([0.0, 1.0, 0.0])
+
+    def dragged(states: np.ndarray, load: np.ndarray) -> np.ndarray:
+        """What is pushed along where a joint goes farther than before, and holds it there."""
+        pushed = np.zeros_like(load)
+        for n in range(1, len(load)):
+            pushed[n] = np.clip(pushed[n - 1], states[0, n] - 0.08, states[0, n] + 0.08)
+        return -40.0 * (states[0] - pushed) * second
+
+    path = written(tmp_path, dragged, seed=3)
     found = dc.diagnose(tmp_path / "robot.toml", path)
     assert found["verdict"] == "unexplained"
     assert [u["limb"] for u in found["unexplained"]] == [2]

@@ -47,7 +47,8 @@ def grade(case: Case, found: dict[str, Any]) -> dict[str, Any]:
     named = {(e["name"], j): e for e in found["effects"] for j in e["limbs"] or [0]}
     true = {(each.name, each.joint): each for each in case.concealed if each.name not in FOREIGN}
     alike = {(name, j) for (_, j), e in named.items() for name in e["indistinguishable_from"]}
-    open_ = sorted({int(u["limb"]) for u in found["unexplained"]})
+    lawful = sorted({int(j) for law in found.get("laws", ()) for term in law["terms"] for j in term["limbs"]})
+    open_ = sorted({int(u["limb"]) for u in found["unexplained"]} | set(lawful))  # a law borne out is an answer, too
     off = [d for key, each in true.items() if key in named for d in deviations(each, named[key])]
     strange = [
         key for key in named if key not in true and not set(named[key]["indistinguishable_from"]) & _at(true, key)
@@ -65,6 +66,7 @@ def grade(case: Case, found: dict[str, Any]) -> dict[str, Any]:
         "named": [list(key) for key in named],
         "verdict": found["verdict"],
         "unexplained": open_,
+        "laws": [term["expression"] for law in found.get("laws", ()) for term in law["terms"]],
         "right": all(key in named or key in alike for key in true) and not strange and (open_ == sorted(set(foreign))),
         "missed": [list(key) for key in true if key not in named and key not in alike],
         "false": [list(key) for key in strange],

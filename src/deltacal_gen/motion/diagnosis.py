@@ -23,7 +23,15 @@ from deltacal_gen.motion.trajectories import INSIDE, Trajectories
 from deltacal_gen.motion.unexplained import Rest, dependences, rest
 from deltacal_gen.physics.law import is_law
 from deltacal_gen.physics.terms import drive_effect_names, load_effect
-from deltacal_gen.results.diagnosis import Channel, EffectParameter, Location, NextMeasurement, Searched, Verdict
+from deltacal_gen.results.diagnosis import (
+    Channel,
+    EffectParameter,
+    LawTerm,
+    Location,
+    NextMeasurement,
+    Searched,
+    Verdict,
+)
 from deltacal_gen.results.motion import (
     LadderOf,
     MotionDiagnosis,
@@ -339,6 +347,11 @@ def _in_words(laws: Sequence[TorqueLaw]) -> list[str]:
     return [f"a torque of {t.expression} (joint {', '.join(map(str, t.limbs))})" for law in laws for t in law.terms]
 
 
+def _numbers(term: LawTerm) -> str:
+    """Return the numbers of a term of a law, in words."""
+    return ", ".join(f"{c.name} = {c.value:.4g}{'' if c.unit == '1' else f' {c.unit}'}" for c in term.coefficients)
+
+
 def _summary(
     effects: Sequence[TorqueEffect],
     laws: Sequence[TorqueLaw],
@@ -350,7 +363,8 @@ def _summary(
     named = [_where(e) for e in effects]
     parts = [f"Beside the rigid machine the drives overcome {'; '.join(named)}." if named else ""]
     if laws:
-        parts.append(f"A law that nobody has registered: {'; '.join(_in_words(laws))}.")
+        each = zip(_in_words(laws), (_numbers(t) for law in laws for t in law.terms), strict=True)
+        parts.append(f"A law that nobody has registered: {'; '.join(' with '.join(pair) for pair in each)}.")
     if rests:
         parts.append(f"Not explained: {'; '.join(r.text for r in rests)}.")
     if not named and not laws and not rests:

@@ -22,7 +22,7 @@ from scipy.optimize import minimize
 from deltacal_gen.motion.joint import Fit, fitted
 from deltacal_gen.motion.ladder import BEGUN_WITH, BUYS, PER_COEFFICIENT
 from deltacal_gen.motion.library import Rung
-from deltacal_gen.motion.regression import Bench
+from deltacal_gen.motion.regression import BETWEEN, Bench
 from deltacal_gen.motion.unexplained import SHOWS, Rest, channels, rest
 from deltacal_gen.physics.grammar import THRESHOLDS, Atom, Form, full, product, single, switch
 from deltacal_gen.physics.law import PREFIX, Law, load_law
@@ -35,7 +35,7 @@ OF = ("q", "qd", "qdd", "torque", "temperature")
 TERMS = 2  # of a law
 SCREENED = 6000  # samples at which every form is looked at
 REFINED = 8  # forms whose constants are sought between the steps of their grid
-HELD_BACK = 3  # every which fold takes no part in the search
+HELD_BACK = 3  # one fold of so many takes no part in the search
 MOST_OF = 0.8  # of what a smooth function takes away of squares that took no part: what a law must
 ALIKE = 10.0  # of chi2: forms that earn so much less are not told apart from the best
 TRIED = 150  # evaluations in which constants are refined
@@ -89,11 +89,11 @@ def lawful(fit: Fit, left: Rest | None, sigma: float | None) -> Lawful | None:
     """
     if left is None or not left.channel:
         return None
-    folds = sorted({int(f) for f in np.unique(fit.joint.fold)} - {-1})
-    apart = folds[::HELD_BACK] if len(folds) > 1 else []
-    inside = [f for f in folds if f not in apart]
-    if not inside or not apart:
+    folds = sorted({int(f) for f in np.unique(fit.joint.fold)} - {BETWEEN})
+    if len(folds) < 2:
         return None
+    apart = folds[:: min(HELD_BACK, len(folds))][: max(len(folds) // HELD_BACK, 1)]
+    inside = [f for f in folds if f not in apart]
     states = fit.joint.states | {"torque": fit.load}
     limits = {name: (float(values.min()), float(values.max())) for name, values in states.items()}
     search = _Search(fit, states, limits, inside)
@@ -299,12 +299,11 @@ def _proof(fit: Fit, terms: Sequence[Rung], inside: Sequence[int], apart: Sequen
     law = np.hstack([rung.columns(states) for rung in terms])
     smooth = list(channels(fit).values())
     bench = Bench.of(np.hstack([own, law, *smooth]), joint.y, joint.fold, joint.X.shape[1])
-    first = range(own.shape[1])
-    bench = bench.with_ridge(first, inside) if len(inside) > 1 else bench
 
     def left(more: Sequence[int]) -> float:
-        columns = [*first, *more]
-        return bench.error(columns, bench.fit(columns, inside), apart)
+        columns = [*range(own.shape[1]), *more]
+        by = bench.with_ridge(columns, inside) if len(inside) > 1 else bench
+        return by.error(columns, by.fit(columns, inside), apart)
 
     at = own.shape[1]
     before, after = left([]), left(range(at, at := at + law.shape[1]))

@@ -1,0 +1,151 @@
+"""Laws of drives: what a torque has that no registered effect is, written down and predicted."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy as sp
+
+import deltacal_gen as dc
+from deltacal_gen.diagnosis.laws.effect_file import effect_file
+from deltacal_gen.errors import InputError, UsageError
+from derive.mathematics.effects import effect as derived
+from tests.motion_recordings import DEG, NOISE, named, written
+
+Curve = Callable[[np.ndarray, np.ndarray], np.ndarray]  # of states (3, N) of joint 3 and its load (N,) [Nm]
+ALWAYS = 4.0  # standard deviations that no number may be off
+
+# what joint 3 has, the expression told, and its numbers in mm, rad, s, N mm
+CURVES: dict[str, tuple[Curve, str, list[float]]] = {
+    "a stop": (
+        lambda s, load: -30.0 * np.maximum(np.abs(s[0]) - 0.15, 0) * np.sign(s[0]),
+        "c1*sign(q)*Max(Abs(q) - c2, 0)",
+        [-30000.0, 0.15],
+    ),
+    "a spring that hardens": (
+        lambda s, load: 8.0 * np.maximum(s[0] - 0.1, 0) ** 2,
+        "c1*Max(q - c2, 0)**2",
+        [8000.0, 0.1],
+    ),
+    "friction of a tight place": (
+        lambda s, load: 0.8 * np.sign(s[1]) * np.exp(-(((s[0] - 0.1) / 0.2) ** 2)),
+        "c1*sign(qd)*exp(-((q - c2)/c3)**2)",
+        [800.0, 0.1, 0.2],
+    ),
+}
+
+
+def on_third(curve: Curve) -> Callable[[np.ndarray, np.ndarray], np.ndarray]:
+    """Return what the three joints of an arm have where the third has a curve."""
+    return lambda s, load: curve(s[:, :, 2], load[:, 2])[:, None] * np.array([0.0, 0.0, 1.0])
+
+
+@pytest.fixture(scope="module", params=CURVES)
+def found(request: Any, tmp_path_factory: Any) -> tuple[str, Path, Any]:
+    """Return the name of a curve, a recording that has it, and its diagnosis."""
+    folder = tmp_path_factory.mktemp("law")
+    path = written(folder, on_third(CURVES[request.param][0]), seed=3)
+    return request.param, path, dc.diagnose(folder / "robot.toml", path)
+
+
+def test_a_law_is_told_with_its_numbers_and_by_no_name(found: tuple[str, Path, Any]) -> None:
+    name, _, diagnosis = found
+    _, expression, numbers = CURVES[name]
+    assert (diagnosis["verdict"], named(diagnosis), diagnosis["unexplained"]) == ("missing_physics", {}, [])
+    (law,) = diagnosis["laws"]
+    (term,) = law["terms"]
+    assert (term["target"], term["limbs"], term["expression"]) == ("torque", [3], expression)
+    for c, true in zip(term["coefficients"], numbers, strict=True):
+        assert 0 < c["std"] < 0.02 * abs(true)
+        assert abs(c["value"] - true) < ALWAYS * c["std"] + 0.003 * abs(true), c
+    assert [c["limb"] for c in term["coefficients"]] == [3, *[None] * (len(numbers) - 1)]
+    assert law["heldout_rms_Nm"] == pytest.approx(NOISE, rel=0.05)
+    assert law["gain"] > law["charge"]
+    assert diagnosis["location"]["limbs"] == [3]
+    assert f"a torque of {expression} (joint 3) with c1 = " in diagnosis["summary"]
+    assert diagnosis["final"]["heldout_rms_by_joint"][2] == pytest.approx(NOISE, rel=0.05)
+
+
+def test_it_predicts_runs_that_it_has_not_seen(found: tuple[str, Path, Any], tmp_path: Path) -> None:
+    name, _, diagnosis = found
+    fresh = written(tmp_path, on_third(CURVES[name][0]), runs=2, seed=8)
+    kept = tmp_path / "diagnosis.json"
+    kept.write_text(diagnosis.to_json())
+    assert dc.validate(kept, fresh)["rms_by_joint"][2] == pytest.approx(NOISE, rel=0.1)
+
+
+def test_it_is_written_as_the_file_of_an_effect_that_says_the_same(found: tuple[str, Path, Any]) -> None:
+    _, _, diagnosis = found
+    space: dict[str, Any] = {}
+    exec(effect_file(diagnosis.laws[0], Path("a_stop.py")), space)
+    effect, size = space["EFFECT"], diagnosis.laws[0].terms[0].coefficients[0].value
+    assert (list(effect.targets), effect.per_limb) == (["torque"], True)
+    q, qd = sp.symbols("q qd", real=True)
+    moved = sp.lambdify((q, qd), effect.targets["torque"].subs(effect.coefficients[0].symbol, size))
+    curve = diagnosis.laws[0].curve
+    assert curve.state == "q"
+    np.testing.assert_allclose(moved(np.asarray(curve.at), 0.1), curve.value, rtol=1e-9, atol=1e-9)
+    assert derived(effect)  # its functions are there to be emitted
+
+
+def test_currents_have_laws_in_their_unit(tmp_path: Path) -> None:
+    path = written(tmp_path, on_third(CURVES["a stop"][0]), seed=3)
+    lines = [line.split(",") for line in path.read_text().splitlines()]
+    table = np.array(lines[1:], dtype=float)
+    table[:, 5:] /= 4.0
+    head = ",".join([*lines[0][:5], *(f"current{i}_A" for i in (1, 2, 3))])
+    path.write_text("\n".join([head, *(",".join(map(repr, row)) for row in table.tolist())]) + "\n")
+    diagnosis = dc.diagnose(tmp_path / "robot.toml", path)
+    (term,) = diagnosis["laws"][0]["terms"]
+    first, second = term["coefficients"]
+    assert (first["unit"], second["unit"]) == ("A/rad", "rad")
+    assert first["value"] == pytest.approx(-30.0 / 4.0, rel=0.01)
+    assert diagnosis["laws"][0]["heldout_rms_A"] == pytest.approx(NOISE / 4.0, rel=0.05)
+
+
+def test_what_another_joint_makes_is_no_law_of_its_own(tmp_path: Path) -> None:
+    """A cable that the third joint pulls on as the first one turns: nothing that the third has tells it."""
+    cable = np.array([0.0, 0.0, 1.0])
+    path = written(tmp_path, lambda s, load: 1.5 * np.sin(7.0 * s[0][:, :1]) * cable, seed=4)
+    diagnosis = dc.diagnose(tmp_path / "robot.toml", path)
+    assert (diagnosis["verdict"], diagnosis["laws"]) == ("unexplained", [])
+    assert [u["limb"] for u in diagnosis["unexplained"]] == [3]
+
+
+def test_what_runs_in_is_no_law(tmp_path: Path) -> None:
+    """Of the time no law is made: what wanders would be met by any function of it."""
+    start = iter(range(100))
+
+    def friction(states: np.ndarray, load: np.ndarray) -> np.ndarray:
+        t = (12.0 * next(start) + 0.01 * np.arange(len(load)))[:, None]
+        return 0.02 * (1 + np.exp(-t / 15.0)) * states[1] / DEG * np.array([0.0, 1.0, 0.0])
+
+    diagnosis = dc.diagnose(tmp_path / "robot.toml", written(tmp_path, friction, seed=7))
+    assert (diagnosis["verdict"], diagnosis["laws"]) == ("unexplained", [])
+
+
+def test_it_is_commanded_by_python_and_refused_as_c(found: tuple[str, Path, Any], tmp_path: Path) -> None:
+    _, path, diagnosis = found
+    kept = tmp_path / "diagnosis.json"
+    kept.write_text(diagnosis.to_json())
+    commanded, predicted = dc.feed_forward(kept, path).torque, dc.predict(kept, path).readings
+    moving = np.isfinite(predicted)
+    np.testing.assert_allclose(commanded[moving], predicted[moving], atol=1e-9)
+    with pytest.raises(UsageError, match="is a law"):
+        dc.compensate(kept, output=tmp_path / "drive.c", export="c")
+
+
+@pytest.mark.parametrize("name", ["law torque = c1*Nothing(q)", "law nowhere = c1*q"])
+def test_a_law_that_is_none_is_refused(found: tuple[str, Path, Any], tmp_path: Path, name: str) -> None:
+    _, path, diagnosis = found
+    told = json.loads(diagnosis.to_json())
+    told["joints"][2]["terms"][-1]["effect"] = name
+    kept = tmp_path / "diagnosis.json"
+    kept.write_text(json.dumps(told))
+    with pytest.raises(InputError, match=r"joints\[2\]"):
+        dc.validate(kept, path)
