@@ -149,3 +149,13 @@ def test_a_law_that_is_none_is_refused(found: tuple[str, Path, Any], tmp_path: P
     kept.write_text(json.dumps(told))
     with pytest.raises(InputError, match=r"joints\[2\]"):
         dc.validate(kept, path)
+
+
+def test_a_constant_beside_a_law_is_a_part_of_it(tmp_path: Path) -> None:
+    """Of a stop that begins at 0.1 rad the other side is as good, with a slope that gravity has, and a constant."""
+    stop = on_third(lambda s, load: -20.0 * np.maximum(0.1 - s[0], 0) + 2.0)
+    diagnosis = dc.diagnose(tmp_path / "robot.toml", written(tmp_path, stop, seed=5))
+    assert (diagnosis["verdict"], named(diagnosis)) == ("missing_physics", {})
+    (term,) = diagnosis["laws"][0]["terms"]
+    assert term["expression"] == "c1*Max(c3 - q, 0) + c2"
+    assert [c["value"] for c in term["coefficients"]] == pytest.approx([-20000.0, 2000.0, 0.1], rel=0.03)

@@ -14,7 +14,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from scipy.optimize import minimize
@@ -32,7 +32,10 @@ if TYPE_CHECKING:
 
 # states that a law is made of; of the time none is: what wanders is met by any function of it
 OF = ("q", "qd", "qdd", "torque", "temperature")
-TERMS = 2  # of a law
+OFFSET = "torque_offset"
+TERMS = 4  # of a law
+SWEEPS = 3  # of refining terms beside one another
+SETTLES = 4  # fits in which a load and a law of it settle
 SCREENED = 6000  # samples at which every form is looked at
 REFINED = 8  # forms whose constants are sought between the steps of their grid
 HELD_BACK = 3  # one fold of so many takes no part in the search
@@ -85,10 +88,47 @@ class Lawful:
 def lawful(fit: Fit, left: Rest | None, sigma: float | None) -> Lawful | None:
     """Return the law that explains what is left of a joint; None where nothing is, or no law holds.
 
-    `sigma` is the noise where it is declared; see `rest`.
+    What the ladder took may only have stood for the law: beside what drives usually have alone, one as simple is told
+    without it, unless it still pays beside that. `sigma` is the noise where it is declared; see `rest`.
     """
     if left is None or not left.channel:
         return None
+    found, usual = _law(fit, sigma), [k for k, rung in enumerate(fit.rungs) if rung.effect in BEGUN_WITH]
+    if len(usual) == len(fit.rungs) or (found is not None and _kept(found) <= len(usual)):
+        return found
+    lean = _law(_with_rungs(fit, usual), sigma)
+    if lean is None or (found is not None and len(lean.forms) > len(found.forms)):
+        return found
+    return lean if set(_needed(fit, lean.rungs)) <= set(usual) else found
+
+
+def _kept(law: Lawful) -> int:
+    """Return how many rungs the ladder has beside a law."""
+    return len(law.fit.rungs) - len(law.forms)
+
+
+def _with_rungs(fit: Fit, kept: Sequence[int]) -> Fit:
+    """Return a fit with some of its rungs alone."""
+    return replace(
+        fitted(fit.joint, [fit.rungs[k] for k in kept]),
+        bought=tuple(fit.bought[k] for k in kept),
+        gains=tuple(fit.gains[k] for k in kept),
+        alike=tuple(fit.alike[k] for k in kept),
+        **_carried(fit),
+    )
+
+
+def _carried(fit: Fit) -> dict[str, Any]:
+    """Return what a fit knows of its joint that other rungs do not change."""
+    return {"lag": fit.lag, "passed_over": fit.passed_over, "first": fit.first}
+
+
+def _law(fit: Fit, sigma: float | None) -> Lawful | None:
+    """Return the law that explains what a fit leaves of its joint, beside its rungs; None where none holds."""
+    if all(rung.effect != OFFSET for rung in fit.rungs):  # whatever begins somewhere has a constant elsewhere
+        more = fitted(fit.joint, [*fit.rungs, Rung(OFFSET)])
+        of_rungs = {"bought": (*fit.bought, 0.0), "gains": (*fit.gains, 0.0), "alike": (*fit.alike, ())}
+        fit = replace(more, **_carried(fit) | of_rungs)
     folds = sorted({int(f) for f in np.unique(fit.joint.fold)} - {BETWEEN})
     if len(folds) < 2:
         return None
@@ -100,12 +140,21 @@ def lawful(fit: Fit, left: Rest | None, sigma: float | None) -> Lawful | None:
     forms, gain, charge, alike = search.found()
     if not forms or (proof := _proof(fit, [_rung(f, limits) for f in forms], inside, apart)) is None:
         return None
-    every = _Search(fit, states, limits, folds)
-    forms = tuple(every.refined(form, forms[:k]) for k, form in enumerate(forms))
-    terms = [_rung(form, limits) for form in forms]
-    kept = _needed(fit, terms)
-    after = fitted(fit.joint, [*(fit.rungs[k] for k in kept), *terms])
-    after = replace(after, lag=fit.lag, passed_over=fit.passed_over, first=fit.first)
+    for _ in range(SETTLES if any("torque" in form.states for form in forms) else 1):
+        every = _Search(fit, states, limits, folds)
+        forms = every.settled(forms)
+        terms = [_rung(form, limits) for form in forms]
+        kept = _needed(fit, terms)
+        after = fitted(fit.joint, [*(fit.rungs[k] for k in kept), *terms])
+        fit = replace(fit, load=after.load)  # without the law, the machine was asked for a part of what that gives
+        states = fit.joint.states | {"torque": fit.load}
+        limits = {name: (float(values.min()), float(values.max())) for name, values in states.items()}
+    if any(fit.rungs[k].effect == OFFSET for k in kept):  # nobody can tell a law's own constant from it
+        kept = [k for k in kept if fit.rungs[k].effect != OFFSET]
+        forms = (*forms[:-1], replace(forms[-1], factors=(*forms[-1].factors, ("1",))))
+        terms = [_rung(form, limits) for form in forms]
+        after = fitted(fit.joint, [*(fit.rungs[k] for k in kept), *terms])
+    after = replace(after, **_carried(fit))
     if rest(after, sigma) is not None:
         return None
     bought, gains = _worth(fit, kept, terms)
@@ -219,11 +268,11 @@ class _Search:
         found = np.linalg.lstsq(Z / free, self.left, rcond=1e-9)[0]
         return float(1.0 - np.sum((self.left - Z / free @ found) ** 2) / np.sum(self.left**2))
 
-    def refined(self, form: Form, before: Sequence[Form] = ()) -> Form:
-        """Return a form with the constants that explain most."""
+    def refined(self, form: Form, beside: Sequence[Form]) -> Form:
+        """Return a form with the constants that explain most beside other terms."""
         if not form.constants:
             return form
-        self._begin([_rung(f, self.limits) for f in before])
+        self._begin([_rung(f, self.limits) for f in beside])
         start, span = np.array(form.constants), np.array([self._span(form, k) for k in range(len(form.constants))])
         positive = start > 0
         simplex = np.vstack([np.zeros(len(start)), 0.1 * np.eye(len(start))])
@@ -241,6 +290,14 @@ class _Search:
             options={"initial_simplex": simplex, "maxfev": TRIED, "xatol": 1e-4, "fatol": 1e-9},
         )
         return form.with_constants(start + best.x * span)
+
+    def settled(self, forms: Sequence[Form]) -> tuple[Form, ...]:
+        """Return terms of a law with the constants that explain most together: each beside the others, in turn."""
+        out = list(forms)
+        for _ in range(SWEEPS if len(out) > 1 else 1):
+            for k in range(len(out)):
+                out[k] = self.refined(out[k], [*out[:k], *out[k + 1 :]])
+        return tuple(out)
 
     def _span(self, form: Form, k: int) -> float:
         """Return by how much a constant may well differ: its own size, or the range of the state that it counts in."""
@@ -265,7 +322,7 @@ class _Search:
             if not chosen:
                 near = [f for g, c, f in priced[1:] if (earned - price) - (g - c) < ALIKE]
                 alike = tuple(f"torque = {f.text}" for f in near if f.text != best.text)
-            chosen, gain, charge = [*chosen, best], gain + earned, charge + price
+            chosen, gain, charge = list(self.settled([*chosen, best])), gain + earned, charge + price
         return tuple(chosen), gain, charge, alike
 
     def _earned(self, form: Form, tried: int) -> tuple[float, float]:

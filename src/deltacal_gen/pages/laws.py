@@ -108,7 +108,10 @@ def _operation(node: ast.BinOp, outer: int) -> str:
     if isinstance(node.op, ast.Div):
         return f"<mfrac><mrow>{_of(node.left)}</mrow><mrow>{_of(node.right)}</mrow></mfrac>"
     if isinstance(node.op, ast.Pow):
-        return f"<msup><mrow>{_of(node.left, binds + 1)}</mrow><mrow>{_of(node.right)}</mrow></msup>"
+        base = _bracketed(
+            _of(node.left, binds + 1), isinstance(node.left, ast.BinOp) and isinstance(node.left.op, ast.Div)
+        )
+        return f"<msup><mrow>{base}</mrow><mrow>{_of(node.right)}</mrow></msup>"
     sign = {ast.Add: "+", ast.Sub: "−", ast.Mult: "·"}[type(node.op)]
     right = _of(node.right, binds + isinstance(node.op, ast.Sub))
     return _bracketed(f"{_of(node.left, binds)}<mo>{sign}</mo>{right}", outer > binds)

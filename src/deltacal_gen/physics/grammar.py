@@ -109,7 +109,7 @@ class Form:
         """The formula, its coefficients first: ``c1*tanh(torque/c2)``."""
         n = len(self.functions)
         names = [f"c{n + k + 1}" for k in range(len(self.constants))]
-        return " + ".join(f"c{k}*{f.format(*names)}" for k, f in enumerate(self.functions, 1))
+        return " + ".join(f"c{k}" if f == "1" else f"c{k}*{f.format(*names)}" for k, f in enumerate(self.functions, 1))
 
     def with_constants(self, constants: Sequence[float] | Array) -> Form:
         """Return the form with other constants."""
