@@ -66,7 +66,12 @@ def grown(inner: st.SearchStrategy[Any]) -> st.SearchStrategy[Any]:
     )
 
 
-expressions = st.recursive(leaves(), grown, max_leaves=6).filter(lambda e: e.is_real is not False and e.free_symbols)
+def real(e: Any) -> bool:
+    """Tell whether an expression depends on anything, and SymPy does not take it for a complex one: Abs(asin(x))**2."""
+    return e.is_real is not False and bool(e.free_symbols) and not e.has(sp.re, sp.im)
+
+
+expressions = st.recursive(leaves(), grown, max_leaves=6).filter(real)
 
 
 def lowered(outputs: list[Any], lanes_of: int | None = None) -> Kernel:
@@ -177,6 +182,7 @@ def exact(expr: Any, points: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.nda
 @pytest.mark.skipif(shutil.which("gcc") is None, reason="C is compiled by gcc, which is not installed")
 @settings(
     max_examples=6,
+    derandomize=True,
     deadline=None,
     suppress_health_check=list(HealthCheck),
     phases=[Phase.explicit, Phase.reuse, Phase.generate],  # to shrink twelve expressions would compile for minutes
