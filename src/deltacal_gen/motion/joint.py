@@ -7,14 +7,13 @@ import functools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.derivatives import Motion
-from deltacal_gen.motion.ladder import Ladder, LookedAt
+from deltacal_gen.motion.ladder import Ladder, LookedAt, columns_of
 from deltacal_gen.motion.library import Rung, hats, of_joint, resolution, rungs
 from deltacal_gen.motion.regression import BETWEEN, Bench, folds_of, together
 from deltacal_gen.motion.sizes import settled
@@ -431,12 +430,11 @@ def climbed(joint: Joint) -> Fit:
     candidates = joint.candidates
     load = joint.load_by(None)
     X = joint.columns(candidates, load)
-    rigid = joint.X.shape[1]
-    ends = rigid + np.cumsum([0, *(rung.width for rung in candidates)])
-    at = tuple(tuple(range(a, b)) for a, b in pairwise(ends))
+    rigid, width = joint.X.shape[1], X.shape[1]
+    at = columns_of(candidates, rigid)
     X = np.asfortranarray(np.hstack([X, hats(joint.states["q"], SMOOTH)]))  # what is read is some columns
     bench = Bench.of(X, joint.y, joint.fold, rigid)
-    rival = tuple(range(int(ends[-1]), X.shape[1]))
+    rival = tuple(range(width, X.shape[1]))
     ladder = Ladder(bench, candidates, at, X, joint.y, joint.correlated, rival, resolution(joint.states))
     held_out = np.full(len(joint.y), np.nan)
     for fold in bench.folds:

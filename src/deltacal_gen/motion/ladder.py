@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -46,6 +47,12 @@ class LookedAt:
     width: int
     tried: int
     buys: float = 0.0
+
+
+def columns_of(rungs: Sequence[Rung], first: int) -> tuple[tuple[int, ...], ...]:
+    """Return where the columns of each of some rungs stand, one after another from `first` on."""
+    ends = first + np.cumsum([0, *(rung.width for rung in rungs)])
+    return tuple(tuple(range(a, b)) for a, b in pairwise(ends.tolist()))
 
 
 @dataclass(frozen=True)

@@ -14,13 +14,13 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from scipy.optimize import minimize
 
 from deltacal_gen.motion.joint import Fit, fitted
-from deltacal_gen.motion.ladder import BEGUN_WITH, BUYS, PER_COEFFICIENT
+from deltacal_gen.motion.ladder import BEGUN_WITH, BUYS, PER_COEFFICIENT, Ladder, columns_of
 from deltacal_gen.motion.library import Rung
 from deltacal_gen.motion.regression import BETWEEN, Bench
 from deltacal_gen.motion.unexplained import SHOWS, Rest, channels, rest
@@ -96,7 +96,7 @@ def lawful(fit: Fit, left: Rest | None, sigma: float | None) -> Lawful | None:
     found, usual = _law(fit, sigma), [k for k, rung in enumerate(fit.rungs) if rung.effect in BEGUN_WITH]
     if len(usual) == len(fit.rungs) or (found is not None and _kept(found) <= len(usual)):
         return found
-    lean = _law(_with_rungs(fit, usual), sigma)
+    lean = _law(_refitted(fit, usual), sigma)
     if lean is None or (found is not None and len(lean.forms) > len(found.forms)):
         return found
     return lean if set(_needed(fit, lean.rungs)) <= set(usual) else found
@@ -107,94 +107,63 @@ def _kept(law: Lawful) -> int:
     return len(law.fit.rungs) - len(law.forms)
 
 
-def _with_rungs(fit: Fit, kept: Sequence[int]) -> Fit:
-    """Return a fit with some of its rungs alone."""
-    return replace(
-        fitted(fit.joint, [fit.rungs[k] for k in kept]),
-        bought=tuple(fit.bought[k] for k in kept),
-        gains=tuple(fit.gains[k] for k in kept),
-        alike=tuple(fit.alike[k] for k in kept),
-        **_carried(fit),
-    )
-
-
-def _carried(fit: Fit) -> dict[str, Any]:
-    """Return what a fit knows of its joint that other rungs do not change."""
-    return {"lag": fit.lag, "passed_over": fit.passed_over, "first": fit.first}
+def _refitted(fit: Fit, kept: Sequence[int], more: Sequence[Rung] = ()) -> Fit:
+    """Return a fit with some of its rungs alone, and further ones."""
+    after = fitted(fit.joint, [*(fit.rungs[k] for k in kept), *more])
+    alike = (*(fit.alike[k] for k in kept), *[()] * len(more))
+    return replace(after, alike=alike, lag=fit.lag, passed_over=fit.passed_over, first=fit.first)
 
 
 def _law(fit: Fit, sigma: float | None) -> Lawful | None:
     """Return the law that explains what a fit leaves of its joint, beside its rungs; None where none holds."""
     if all(rung.effect != OFFSET for rung in fit.rungs):  # whatever begins somewhere has a constant elsewhere
-        more = fitted(fit.joint, [*fit.rungs, Rung(OFFSET)])
-        of_rungs = {"bought": (*fit.bought, 0.0), "gains": (*fit.gains, 0.0), "alike": (*fit.alike, ())}
-        fit = replace(more, **_carried(fit) | of_rungs)
+        fit = _refitted(fit, range(len(fit.rungs)), [Rung(OFFSET)])
     folds = sorted({int(f) for f in np.unique(fit.joint.fold)} - {BETWEEN})
     if len(folds) < 2:
         return None
     apart = folds[:: min(HELD_BACK, len(folds))][: max(len(folds) // HELD_BACK, 1)]
     inside = [f for f in folds if f not in apart]
-    states = fit.joint.states | {"torque": fit.load}
-    limits = {name: (float(values.min()), float(values.max())) for name, values in states.items()}
-    search = _Search(fit, states, limits, inside)
+    search = _Search(fit, inside)
     forms, gain, charge, alike = search.found()
-    if not forms or (proof := _proof(fit, [_rung(f, limits) for f in forms], inside, apart)) is None:
+    if not forms or (proof := _proof(fit, [_rung(f, search.limits) for f in forms], inside, apart)) is None:
         return None
     for _ in range(SETTLES if any("torque" in form.states for form in forms) else 1):
-        every = _Search(fit, states, limits, folds)
-        forms = every.settled(forms)
+        every = _Search(fit, folds)
+        forms, limits = every.settled(forms), every.limits
         terms = [_rung(form, limits) for form in forms]
         kept = _needed(fit, terms)
-        after = fitted(fit.joint, [*(fit.rungs[k] for k in kept), *terms])
+        after = _refitted(fit, kept, terms)
         fit = replace(fit, load=after.load)  # without the law, the machine was asked for a part of what that gives
-        states = fit.joint.states | {"torque": fit.load}
-        limits = {name: (float(values.min()), float(values.max())) for name, values in states.items()}
     if any(fit.rungs[k].effect == OFFSET for k in kept):  # nobody can tell a law's own constant from it
         kept = [k for k in kept if fit.rungs[k].effect != OFFSET]
         forms = (*forms[:-1], replace(forms[-1], factors=(*forms[-1].factors, ("1",))))
         terms = [_rung(form, limits) for form in forms]
-        after = fitted(fit.joint, [*(fit.rungs[k] for k in kept), *terms])
-    after = replace(after, **_carried(fit))
+        after = _refitted(fit, kept, terms)
     if rest(after, sigma) is not None:
         return None
-    bought, gains = _worth(fit, kept, terms)
-    alike_of = (*(fit.alike[k] for k in kept), *[()] * len(terms))
-    after = replace(after, bought=bought, gains=gains, alike=alike_of)
+    ladder = _ladder(after, ())
+    all_of, of_folds = range(len(after.rungs)), ladder.bench.folds
+    after = replace(
+        after,
+        bought=tuple(ladder.buys(all_of, k, of_folds) for k in all_of),
+        gains=tuple(ladder.gain(all_of, k, of_folds) for k in all_of),
+    )
     read = {state: limits[state] for form in forms for state in load_law(_name(form)).STATE}
     return Lawful(after, forms, read, gain, charge, *proof, alike, _std(after, forms, limits))
 
 
+def _ladder(fit: Fit, terms: Sequence[Rung]) -> Ladder:
+    """Return the ladder of what a fit has and of a law's terms, to be asked what each is worth beside the others."""
+    joint, rungs = fit.joint, (*fit.rungs, *terms)
+    X, rigid = joint.columns(rungs, fit.load), joint.X.shape[1]
+    bench = Bench.of(X, joint.y, joint.fold, rigid)
+    return Ladder(bench, rungs, columns_of(rungs, rigid), X, joint.y, joint.correlated)
+
+
 def _needed(fit: Fit, terms: Sequence[Rung]) -> list[int]:
     """Return which rungs of a fit still pay beside a law: what stood for it before is no effect of its own."""
-    kept = list(range(len(fit.rungs)))
-    while kept:
-        bought, gains = _worth(fit, kept, terms)
-        price = [PER_COEFFICIENT * fit.rungs[k].width + 2 * float(np.log(len(fit.joint.candidates))) for k in kept]
-        pays = [
-            gains[n] > price[n] and (bought[n] >= BUYS or fit.rungs[k].effect in BEGUN_WITH) for n, k in enumerate(kept)
-        ]
-        if all(pays):
-            break
-        del kept[min((n for n, paid in enumerate(pays) if not paid), key=lambda n: bought[n])]
-    return kept
-
-
-def _worth(fit: Fit, kept: Sequence[int], terms: Sequence[Rung]) -> tuple[tuple[float, ...], tuple[float, ...]]:
-    """Return what each rung kept, then each term, takes of the held-out rms, and earns in chi2, beside the others."""
-    joint, every = fit.joint, [*(fit.rungs[k] for k in kept), *terms]
-    X = joint.columns(every, fit.load)
-    bench = Bench.of(X, joint.y, joint.fold, joint.X.shape[1])
-    whole, folds, at = range(X.shape[1]), bench.folds, joint.X.shape[1]
-    held, left = bench.held_out(whole, folds), bench.train(whole, folds)
-    samples = float(bench.n[list(folds)].sum())
-    bought, gains = [], []
-    for rung in every:
-        others = [c for c in whole if not at <= c < at + rung.width]
-        at += rung.width
-        apart = joint.y - X[:, others] @ (bench.fit(others, range(len(bench.n))) / bench.scale[others])
-        bought.append(1.0 - float(np.sqrt(held / bench.held_out(others, folds))))
-        gains.append(samples / joint.correlated(apart) * float(np.log(bench.train(others, folds) / max(left, 1e-300))))
-    return tuple(bought), tuple(gains)
+    ladder = _ladder(fit, terms)
+    return [k for k in ladder.needed([*range(len(ladder.rungs))], ladder.bench.folds) if k < len(fit.rungs)]
 
 
 def _name(form: Form) -> str:
@@ -230,25 +199,34 @@ def _stops(state: str, values: Array) -> Iterator[Atom]:
         yield Atom(f"Max({{0}} - {state}, 0)**2", (float(k),), 4)
 
 
+class _Priced(NamedTuple):
+    """A form with what it earns and is charged in chi2, and what it takes of the held-out rms."""
+
+    form: Form
+    gain: float
+    charge: float
+    buys: float
+
+
 class _Search:
     """Forms beside all that a fit of a joint has, on some folds: screened at some samples, refined, and held out."""
 
-    def __init__(
-        self, fit: Fit, states: dict[str, Array], limits: dict[str, tuple[float, float]], folds: Sequence[int]
-    ) -> None:
-        self.fit, self.states, self.limits, self.folds = fit, states, limits, folds
+    def __init__(self, fit: Fit, folds: Sequence[int]) -> None:
+        self.fit, self.folds = fit, folds
+        self.states = states = fit.joint.states | {"torque": fit.load}
+        self.limits = {name: (float(values.min()), float(values.max())) for name, values in states.items()}
         rows = np.flatnonzero(np.isin(fit.joint.fold, folds))
         self.rows = rows[:: -(-len(rows) // SCREENED)]
         self.some = {name: values[self.rows] for name, values in states.items()}
         self.own = fit.joint.columns(fit.rungs, fit.load)
         self._begin([])
 
-    def _begin(self, terms: Sequence[Rung]) -> None:
+    def _begin(self, terms: Sequence[Form]) -> None:
         """Take terms of the law as known beside what the fit has."""
-        beside = np.hstack([self.own, *(rung.columns(self.states) for rung in terms)])
-        self.beside = beside
-        size = np.sqrt(np.mean(beside[self.rows] ** 2, axis=0))
-        Q, R = np.linalg.qr(beside[self.rows] / np.where(size > 0, size, 1.0))
+        self.terms = [_rung(form, self.limits) for form in terms]
+        beside = np.hstack([self.own[self.rows], *(rung.columns(self.some) for rung in self.terms)])
+        size = np.sqrt(np.mean(beside**2, axis=0))
+        Q, R = np.linalg.qr(beside / np.where(size > 0, size, 1.0))
         firm = np.abs(np.diag(R)) > 1e-8 * np.abs(R).max(initial=0.0)
         self.Q = Q[:, firm]
         y = self.fit.joint.y[self.rows]
@@ -272,7 +250,7 @@ class _Search:
         """Return a form with the constants that explain most beside other terms."""
         if not form.constants:
             return form
-        self._begin([_rung(f, self.limits) for f in beside])
+        self._begin(beside)
         start, span = np.array(form.constants), np.array([self._span(form, k) for k in range(len(form.constants))])
         positive = start > 0
         simplex = np.vstack([np.zeros(len(start)), 0.1 * np.eye(len(start))])
@@ -311,39 +289,34 @@ class _Search:
         gain = charge = 0.0
         alike: tuple[str, ...] = ()
         while len(chosen) < TERMS:
-            self._begin([_rung(f, self.limits) for f in chosen])
+            self._begin(chosen)
             shares = np.array([self.explained(form) for form in forms])
             first = [self.refined(forms[k], chosen) for k in np.argsort(-shares)[:REFINED]]
-            self._begin([_rung(f, self.limits) for f in chosen])
-            priced = sorted(((*self._earned(form, len(forms)), form) for form in first), key=lambda e: e[1] - e[0])
-            earned, price, best = priced[0]
-            if earned <= price or self._buys(best) < BUYS:
+            self._begin(chosen)
+            priced = sorted((self._priced(form, len(forms)) for form in first), key=lambda p: p.charge - p.gain)
+            best, lead = priced[0].form, priced[0].gain - priced[0].charge
+            if lead <= 0 or priced[0].buys < BUYS:
                 break
             if not chosen:
-                near = [f for g, c, f in priced[1:] if (earned - price) - (g - c) < ALIKE]
+                near = [p.form for p in priced[1:] if lead - (p.gain - p.charge) < ALIKE]
                 alike = tuple(f"torque = {f.text}" for f in near if f.text != best.text)
-            chosen, gain, charge = list(self.settled([*chosen, best])), gain + earned, charge + price
+            chosen, gain, charge = [*self.settled([*chosen, best])], gain + priced[0].gain, charge + priced[0].charge
         return tuple(chosen), gain, charge, alike
 
-    def _earned(self, form: Form, tried: int) -> tuple[float, float]:
-        """Return what a form earns in chi2, samples that hang together counted as one, and what it is charged."""
+    def _priced(self, form: Form, tried: int) -> _Priced:
+        """Return a form with what it earns, costs and buys beside the terms taken, on the folds of the search."""
         joint = self.fit.joint
-        X = np.hstack([self.beside, _rung(form, self.limits).columns(self.states)])
+        before = np.hstack([self.own, *(rung.columns(self.states) for rung in self.terms)])
+        X = np.hstack([before, _rung(form, self.limits).columns(self.states)])
         bench = Bench.of(X, joint.y, joint.fold, joint.X.shape[1])
-        own, every = range(self.beside.shape[1]), range(X.shape[1])
+        own, every = range(before.shape[1]), range(X.shape[1])
         after = bench.fit(every, self.folds)
         count = float(bench.n[list(self.folds)].sum()) / joint.correlated(joint.y - X @ (after / bench.scale))
         gain = count * float(np.log(bench.train(own, self.folds) / max(bench.train(every, self.folds), 1e-300)))
-        return gain, PER_COEFFICIENT * (form.length + len(form.constants)) + 2 * float(np.log(tried))
-
-    def _buys(self, form: Form) -> float:
-        """Return which part of the held-out rms a form takes away, within the folds of the search or beyond."""
-        joint = self.fit.joint
-        X = np.hstack([self.beside, _rung(form, self.limits).columns(self.states)])
-        bench = Bench.of(X, joint.y, joint.fold, joint.X.shape[1])
+        charge = PER_COEFFICIENT * (form.length + len(form.constants)) + 2 * float(np.log(tried))
         folds = self.folds if len(self.folds) > 1 else bench.folds
-        own, every = range(self.beside.shape[1]), range(X.shape[1])
-        return 1.0 - float(np.sqrt(bench.held_out(every, folds) / bench.held_out(own, folds)))
+        buys = 1.0 - float(np.sqrt(bench.held_out(every, folds) / bench.held_out(own, folds)))
+        return _Priced(form, gain, charge, buys)
 
 
 def _proof(fit: Fit, terms: Sequence[Rung], inside: Sequence[int], apart: Sequence[int]) -> tuple[float, float] | None:
