@@ -108,6 +108,16 @@ def test_currents_have_laws_in_their_unit(tmp_path: Path) -> None:
     assert diagnosis["laws"][0]["heldout_rms_A"] == pytest.approx(NOISE / 4.0, rel=0.05)
 
 
+def test_friction_that_the_load_changes_is_not_left_to_the_nearest_effect(tmp_path: Path) -> None:
+    """At some loads, not in proportion: it was no noise, and of nothing recorded, beside dry friction."""
+    tight = on_third(lambda s, load: 1.5 * np.sign(s[1]) * np.exp(-(((load - 45.0) / 6.0) ** 2)))
+    diagnosis = dc.diagnose(tmp_path / "robot.toml", written(tmp_path, tight, runs=6, seed=6))
+    (term,) = diagnosis["laws"][0]["terms"]
+    assert (term["expression"], named(diagnosis)) == ("c1*sign(qd)*exp(-((torque - c2)/c3)**2)", {})
+    assert [c["value"] for c in term["coefficients"]] == pytest.approx([1500.0, 45e3, 6e3], rel=0.01)
+    assert diagnosis["final"]["heldout_rms_by_joint"][2] < 1.2 * NOISE
+
+
 def test_what_another_joint_makes_is_no_law_of_its_own(tmp_path: Path) -> None:
     """A cable that the third joint pulls on as the first one turns: nothing that the third has tells it."""
     cable = np.array([0.0, 0.0, 1.0])

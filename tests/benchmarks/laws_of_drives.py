@@ -11,6 +11,7 @@ from __future__ import annotations
 import argparse
 import tempfile
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -61,7 +62,8 @@ def case(seed: int) -> tuple[dict[str, Any], Callable[[np.ndarray, np.ndarray], 
         known = {"q": s[0, :, joint], "qd": s[1, :, joint], "torque": load[:, joint]}
         x = known[of]
         if of == "torque":  # over the loads that the joint has
-            x = (x - CENTRE[joint]) / WIDTH[joint]
+            least, wide = loads()
+            x = (x - least[joint]) / wide[joint]
         value = size * curve(x) * (np.sign(known["qd"]) if states.startswith("qd ") else 1.0)
         out = usual(s, load)
         out[:, joint] += value
@@ -70,6 +72,7 @@ def case(seed: int) -> tuple[dict[str, Any], Callable[[np.ndarray, np.ndarray], 
     return {"seed": seed, "joint": joint + 1, "states": STATES[states], "form": form}, friction
 
 
+@cache
 def loads() -> tuple[np.ndarray, np.ndarray]:
     """Return least and range of each joint's load [Nm], as a recording has them."""
     seen: list[np.ndarray] = []
@@ -77,9 +80,6 @@ def loads() -> tuple[np.ndarray, np.ndarray]:
         written(Path(folder), lambda s, load: (seen.append(load), usual(s, load))[1], seed=1)
     every = np.vstack(seen)
     return every.min(axis=0), np.ptp(every, axis=0)
-
-
-CENTRE, WIDTH = loads()
 
 
 def examine(seed: int) -> dict[str, Any]:

@@ -66,6 +66,7 @@ WORDS = {
     "time": "the time",
     "temperature": "the temperature",
     "direction": "its position, differently in both directions",
+    "friction": "the torque that the rigid machine asks of it, differently in both directions",
     "reversal": "how far it has moved since it last turned back",
     "history": "the ways it came, over several reversals",
 }
@@ -82,6 +83,7 @@ def channels(fit: Fit) -> dict[str, Array]:
         "acceleration": (states["qdd"], one),
         "time": (states["time"], one),
         "direction": (states["q"], way),
+        "friction": (fit.load, way),
         "reversal": (_since_reversal(fit), way),
     }
     if "temperature" in states:
