@@ -69,6 +69,7 @@ def test_a_law_is_told_with_its_numbers_and_by_no_name(found: tuple[str, Path, A
     assert diagnosis["location"]["limbs"] == [3]
     assert f"a torque of {expression} (joint 3) with c1 = " in diagnosis["summary"]
     assert diagnosis["final"]["heldout_rms_by_joint"][2] == pytest.approx(NOISE, rel=0.05)
+    assert max(r["gain_chi2"] for r in diagnosis["rejected"]) < 20  # beside the law, not before it
 
 
 def test_it_predicts_runs_that_it_has_not_seen(found: tuple[str, Path, Any], tmp_path: Path) -> None:
@@ -137,6 +138,15 @@ def test_what_runs_in_is_no_law(tmp_path: Path) -> None:
 
     diagnosis = dc.diagnose(tmp_path / "robot.toml", written(tmp_path, friction, seed=7))
     assert (diagnosis["verdict"], diagnosis["laws"]) == ("unexplained", [])
+
+
+def test_two_sessions_are_compared_by_the_numbers_of_their_laws(found: tuple[str, Path, Any], tmp_path: Path) -> None:
+    name, _, diagnosis = found
+    other = written(tmp_path, on_third(lambda s, load: 1.2 * CURVES[name][0](s, load)), seed=3)
+    again = dc.diagnose(tmp_path / "robot.toml", other)
+    moved = dc.compare(diagnosis, again)
+    assert [e["name"].rpartition(": ")[2] for e in moved["changed"]] == ["c1"]
+    assert moved["changed"][0]["after"] == pytest.approx(1.2 * moved["changed"][0]["before"], rel=0.01)
 
 
 def test_it_is_commanded_by_python_and_refused_as_c(found: tuple[str, Path, Any], tmp_path: Path) -> None:

@@ -141,20 +141,21 @@ def _law(fit: Fit, sigma: float | None) -> Lawful | None:
         after = _refitted(fit, kept, terms)
     if rest(after, sigma) is not None:
         return None
-    ladder = _ladder(after, ())
+    ladder = _ladder(after, after.joint.candidates)
     all_of, of_folds = range(len(after.rungs)), ladder.bench.folds
     after = replace(
         after,
         bought=tuple(ladder.buys(all_of, k, of_folds) for k in all_of),
         gains=tuple(ladder.gain(all_of, k, of_folds) for k in all_of),
+        passed_over=ladder.passed_over(all_of, of_folds),
     )
     read = {state: limits[state] for form in forms for state in load_law(_name(form)).STATE}
     return Lawful(after, forms, read, gain, charge, *proof, alike, _std(after, forms, limits))
 
 
-def _ladder(fit: Fit, terms: Sequence[Rung]) -> Ladder:
-    """Return the ladder of what a fit has and of a law's terms, to be asked what each is worth beside the others."""
-    joint, rungs = fit.joint, (*fit.rungs, *terms)
+def _ladder(fit: Fit, more: Sequence[Rung]) -> Ladder:
+    """Return the ladder of what a fit has and of further rungs, to be asked what each is worth beside the others."""
+    joint, rungs = fit.joint, (*fit.rungs, *more)
     X, rigid = joint.columns(rungs, fit.load), joint.X.shape[1]
     bench = Bench.of(X, joint.y, joint.fold, rigid)
     return Ladder(bench, rungs, columns_of(rungs, rigid), X, joint.y, joint.correlated)

@@ -149,11 +149,17 @@ def _in_motion(found: MotionResult | MotionDiagnosis) -> dict[str, tuple[float, 
     if isinstance(found, MotionResult):
         of_joint = ((p.name if p.limb is None else f"{p.name} of joint {p.limb}", p) for p in found.parameters)
         return {name: (p.value, p.std, p.unit) for name, p in of_joint}
-    return {
+    named = {
         f"{e.name}{_order(e)} {p.label}{'' if p.limb is None else f'_{p.limb}'}": (p.value, p.std, p.unit)
         for e in found.effects
         for p in e.parameters
         if not isinstance(p.value, str)
+    }
+    return named | {
+        f"law {t.target} = {t.expression} of joint {t.limbs[0]}: {c.name}": (c.value, c.std, c.unit)
+        for law in found.laws
+        for t in law.terms
+        for c in t.coefficients
     }
 
 
