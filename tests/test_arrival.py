@@ -10,15 +10,16 @@ import pytest
 
 from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.errors import InputError
-from deltacal_gen.estimation.fit import BROAD, fit, rough
+from deltacal_gen.estimation.fit import PATIENCE, _Rows, fit, rough
+from deltacal_gen.estimation.prior import BROAD, UNSAID
 from deltacal_gen.estimation.problem import Problem, pose_problem
+from deltacal_gen.estimation.saddles import away
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.estimation.steps import State
 from deltacal_gen.estimation.turns import turned
 from deltacal_gen.files.robot import Robot, robot_from_dict
 from deltacal_gen.identification.checks import plausible
 from deltacal_gen.identification.identification import identify
-from deltacal_gen.identification.prior import UNSAID
 from deltacal_gen.machine.registry import Machine, mechanism_of
 from deltacal_gen.machine.rotation import from_vector
 from deltacal_gen.machine.values import Measurement, Recording
@@ -32,6 +33,7 @@ from tests.left_out import diagnosis, machine, record
 
 LINKS = ((50, -90, 480, 0), (500, 0, 0, -90), (0, 90, 50, 90), (0, -90, 550, 0), (0, 90, 0, 0), (0, 0, 100, 0))
 SIGMA = 0.002  # mm
+YIELDS = 0.01  # mm per N: of a slide
 
 
 @pytest.fixture(scope="module")
@@ -44,14 +46,14 @@ def arm() -> Robot:
     return robot_from_dict({"robot": {"name": "arm", "mechanism": "serial"}, "joint": joints, "geometry": tool})
 
 
-def recorded(arm: Robot, joints: np.ndarray, sag: float = 0.0, size: float = 1.0) -> Recording:
-    """Return positions in an unknown frame of an arm with errors, that sinks with its reach by a part `sag` of it."""
-    rng, n, mechanism = np.random.default_rng(3), len(joints), mechanism_of(arm)
-    plain = Recording(
+def unread(robot: Robot, joints: np.ndarray) -> Recording:
+    """Return joints at which positions in an unknown frame are still to be read."""
+    n = len(joints)
+    return Recording(
         path=Path("arm"),
         kind="position",
         measurement=Measurement(kind="position", frame="unknown"),
-        joint_unit=mechanism.joint_unit,
+        joint_unit=mechanism_of(robot).joint_unit,
         joints=joints,
         columns=("x_mm", "y_mm", "z_mm"),
         measured=np.full((n, 3), np.nan),
@@ -61,10 +63,15 @@ def recorded(arm: Robot, joints: np.ndarray, sag: float = 0.0, size: float = 1.0
         setup=np.zeros(n, dtype=int),
         setup_names=("",),
     )
+
+
+def recorded(arm: Robot, joints: np.ndarray, sag: float = 0.0, size: float = 1.0) -> Recording:
+    """Return positions in an unknown frame of an arm with errors, that sinks with its reach by a part `sag` of it."""
+    rng, mechanism = np.random.default_rng(3), mechanism_of(arm)
     names = mechanism.model(mechanism.full_model)
     errors = {name: float(size * mechanism.typical[mechanism.index[name]] * rng.standard_normal()) for name in names}
     here = (np.zeros(3), np.zeros(3))
-    low = simulate(arm, plain, errors, noise_mm=SIGMA, rng=rng, frame=here)
+    low = simulate(arm, unread(arm, joints), errors, noise_mm=SIGMA, rng=rng, frame=here)
     sunk = low.measured - np.outer(sag * np.linalg.norm(low.measured[:, :2], axis=1), [0, 0, 1.0])
     turn = np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
     return dataclasses.replace(low, measured=sunk @ turn.T + [-70.0, -2900.0, 660.0])
@@ -101,6 +108,71 @@ def test_a_fit_of_points_on_a_line_looks_all_around_it(arm: Robot) -> None:
             assert np.trace(gap) == pytest.approx(1 + 2 * np.cos(np.radians(turn)))
             left = problem.residual(state.errors, state.instrument, state.machine.x)
             assert np.linalg.norm(left) < 3 * off_line
+
+
+def slide(rng: np.random.Generator) -> tuple[Problem, Problem]:
+    """Return the problems, at rest and with its yielding slide, of an arm that slides level but for a tilted axis.
+
+    The slide feels nothing of gravity as it is drawn, and in a frame that nobody knows nothing else shows the tilt.
+    """
+    joints = [
+        {"kind": kind, "convention": "modified", "alpha": alpha, "a": 0.0, "d": 0.0, "theta": 0.0}
+        for kind, alpha in (("revolute", 0.0), ("prismatic", 90.0), ("revolute", -90.0))
+    ]
+    weights = [
+        {"mass": m, "com": c} for m, c in ((9.0, [0.0, 0.0, 0.0]), (11.0, [30.0, 10.0, 90.0]), (3.0, [0, 50, 90]))
+    ]
+    head = {"robot": {"name": "slide", "mechanism": "serial"}, "geometry": {"tool": [55.0, -60.0, -70.0]}}
+    slides = robot_from_dict(head | {"joint": [j | w for j, w in zip(joints, weights, strict=True)]})
+    q = np.array([2.5, 150.0, 0.8]) * rng.uniform(-1, 1, (40, 3))
+    yields = blank("joint_compliance", (2,)).with_values(np.full((1, 1), YIELDS))
+    mechanism = mechanism_of(slides)
+    found = simulate(slides, unread(slides, q), {"alpha_1": 0.02}, noise_mm=SIGMA, rng=rng, terms=[yields])
+    free = pose_problem(slides, found, mechanism.model(mechanism.full_model))
+    free = dataclasses.replace(free, scale=BROAD * free.scale)
+    return free, free.with_terms([yields.with_values(np.zeros((1, 1)))], np.array([10 * YIELDS]))
+
+
+def test_a_fit_leaves_the_saddle_that_it_begins_on() -> None:
+    """What a tilt and a compliance do together shows in no derivative where both are nothing."""
+    stiff, yielding = slide(np.random.default_rng(4))
+    first = fit(stiff, Prior(), robust=False, weigh_repeats=False)
+    found = fit(
+        yielding,
+        Prior(),
+        errors=np.append(first.errors, 0.0),
+        instrument=first.instrument,
+        robust=False,
+        weigh_repeats=False,
+    )
+    assert first.rms() > 3 * SIGMA
+    assert found.rms() < 1.2 * SIGMA
+    assert found.parameters["alpha_1"] * found.errors[-1] == pytest.approx(0.02 * YIELDS, rel=0.05)
+    assert not away(found)
+
+
+def test_a_reading_that_is_now_gross_and_now_not_counts_in_the_end(arm: Robot) -> None:
+    """Without it the noise is so small that it is gross, and with it so large that it is not: neither would end."""
+    rng = np.random.default_rng(2)
+    problem = pose_problem(arm, recorded(arm, wide(rng, 30, 0.5)), mechanism_of(arm).model("serial/dh"))
+    rows = _Rows(problem, problem.begin(problem.reference), True, None, False, True)
+    quiet = rng.standard_normal((30, 3))
+    gross, not_quite = quiet.copy(), quiet.copy()
+    gross[4], not_quite[4] = 30.0, 4.0
+    for iteration in (PATIENCE - 3, PATIENCE - 2, PATIENCE - 1, PATIENCE):
+        rows.weigh(gross if iteration % 2 else not_quite, iteration, 3)
+        assert (rows.weights[4] == 0) == (iteration % 2 == 1 and iteration < PATIENCE)
+    rows.weigh(gross, PATIENCE + 1, 3)
+    assert 0 < rows.weights[4] < 0.2
+    assert (np.delete(rows.weights, 4) > 0.5).all()
+
+
+def test_a_reflector_that_nobody_wrote_down_is_no_nonsense(arm: Robot) -> None:
+    """A robot file without a tool point, a reflector at 200 mm, short joint ranges: the check knows no tool either."""
+    rng = np.random.default_rng(6)
+    long = dataclasses.replace(arm, tool=np.array([150.0, -120.0, 60.0]))
+    read = recorded(long, wide(rng, 40, 0.15))
+    assert identify(dataclasses.replace(arm, tool=np.zeros(3)), read).fit.rms() < 2 * SIGMA
 
 
 LOUD = 0.05  # mm: noise beside which a step at fixed loads seems to arrive

@@ -16,9 +16,10 @@ import numpy as np
 
 from deltacal_gen.diagnosis.correction import Smooth, displaced
 from deltacal_gen.diagnosis.library import library
-from deltacal_gen.diagnosis.strategy import refitted
+from deltacal_gen.diagnosis.strategy import refitted, terms_of
 from deltacal_gen.errors import DeltacalError
-from deltacal_gen.estimation.fit import BROAD, Fit, fit
+from deltacal_gen.estimation.fit import CONVERGED, Fit, fit
+from deltacal_gen.estimation.prior import BROAD
 from deltacal_gen.estimation.problem import Problem, pose_problem
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.files.robot import Robot, read_robot, robot_from_dict
@@ -230,14 +231,16 @@ def of_physics(rng: np.random.Generator) -> tuple[str, Fitted]:
 
 
 def of_effects(rng: np.random.Generator) -> tuple[str, Fitted]:
-    """Geometry and effects together, as a diagnosis fits them: they begin at nothing."""
+    """Geometry and effects together, as a diagnosis searches and then tells them: they begin at nothing."""
     word, problem, terms = measured(rng, machine(rng), terms=effects_for(rng))
     first = fit(problem, Prior(), robust=False, weigh_repeats=False, must_converge=False)
 
     def fitted() -> Fit:
         found = refitted(problem, first, [t.with_values(np.zeros_like(t.values)) for t in terms])
         assert found is not None
-        return found
+        told = refitted(problem, found, terms_of(found), tolerance=CONVERGED)
+        assert told is not None
+        return told
 
     return f"{word}, {' and '.join(t.effect for t in terms)}", fitted
 

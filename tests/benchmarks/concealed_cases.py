@@ -20,10 +20,10 @@ import numpy as np
 from deltacal_gen.diagnosis.library import library
 from deltacal_gen.diagnosis.search import Search
 from deltacal_gen.errors import DeltacalError
+from deltacal_gen.estimation.prior import BROAD
 from deltacal_gen.estimation.problem import Problem, pose_problem
 from deltacal_gen.estimation.residuals import Repeats, rms
 from deltacal_gen.files.robot import Robot
-from deltacal_gen.identification.prior import BROAD
 from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.machine.registry import load_mechanism, mechanism_of
 from deltacal_gen.machine.rotation import from_vector, to_vector

@@ -20,11 +20,11 @@ from rich.table import Table
 from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.errors import DeltacalError
 from deltacal_gen.estimation.fit import Fit, fit, rough
+from deltacal_gen.estimation.prior import BROAD
 from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.estimation.residuals import rms
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.files.robot import kept_robot
-from deltacal_gen.identification.prior import BROAD
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.terms import Term, coefficients, kept_term

@@ -48,6 +48,7 @@ from deltacal_gen.diagnosis.structure import Structure, structures
 from deltacal_gen.diagnosis.wandering import following_walks
 from deltacal_gen.errors import NoSolutionError
 from deltacal_gen.estimation.fit import CONVERGED, SPARE_READINGS, Fit, fit, rough
+from deltacal_gen.estimation.prior import with_prior
 from deltacal_gen.estimation.problem import Problem, pose_problem
 from deltacal_gen.estimation.residuals import lengths, rms
 from deltacal_gen.estimation.solvers import Prior
@@ -57,7 +58,7 @@ from deltacal_gen.identification import checks
 from deltacal_gen.identification.drawing import ANOTHERS, as_read, doubts, strained
 from deltacal_gen.identification.folds import folds
 from deltacal_gen.identification.noise import Noise, doubted, lack_of_fit, merely_more, noise
-from deltacal_gen.identification.prior import learned, with_prior
+from deltacal_gen.identification.prior import learned
 from deltacal_gen.identification.together import as_predicts, deviance_of, together
 from deltacal_gen.machine.backend import by_recording
 from deltacal_gen.machine.registry import mechanism_of

@@ -9,12 +9,13 @@ the robot file's value.
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from deltacal_gen.errors import InputError, NoSolutionError
+from deltacal_gen.estimation.prior import BROAD, with_prior
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.residuals import (
     GROSS,
@@ -25,6 +26,7 @@ from deltacal_gen.estimation.residuals import (
     robust_weights,
     shared_by_repeats,
 )
+from deltacal_gen.estimation.saddles import SEEN, away
 from deltacal_gen.estimation.solvers import LeastSquares, Prior, Solution, Solver
 from deltacal_gen.estimation.steps import Linear, State, improved
 from deltacal_gen.estimation.system import System, system, whitened
@@ -34,7 +36,6 @@ from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.body import Deformed
 
 MAX_ITERATIONS = 60
-BROAD = 10.0  # standard deviation of a parameter of which nothing is known, in ordinary errors
 CONVERGED = 1e-4  # of chi2: what a last step could still gain; parameters then stand within 1e-2 of their deviation
 # a direction that the data hardly see converges slowly where the model bends within its noise: no step of it matters
 PATIENCE, SETTLED, UNSETTLED = 30, 5e-2, 1.0
@@ -99,6 +100,12 @@ class Fit:
         off = np.flatnonzero(size > GROSS)
         return off if 2 * len(off) <= len(size) else off[:0]
 
+    @property
+    def effects_seen(self) -> bool:
+        """Whether the readings see every coefficient of the effects that are fitted."""
+        own = np.diag(self.solution.covariance)[len(self.problem.names) :]
+        return bool((own < 1.0 - SEEN).all())
+
     def rms(self) -> float:
         """RMS of the residuals of length, each measured scalar once, gross errors left out [mm]."""
         return rms(lengths(np.delete(self.residual, self.gross, axis=0), self.problem.readings.kind))
@@ -155,17 +162,29 @@ def fit(
     machine = problem.solve(errors) if machine is None else machine
     rule = LeastSquares() if solver is None else solver
 
-    def ended(start: State, must_converge: bool) -> tuple[Fit, _Rows]:
+    def ended(start: State, must_converge: bool, follow: bool = False) -> tuple[Fit, _Rows]:
         rows = _Rows(problem, start.instrument, robust, repeats, weigh_repeats, drop_gross)
-        return _Iteration(problem, rule, rows, tolerance).run(start, must_converge), rows
+        return _Iteration(problem, rule, rows, tolerance).run(start, must_converge, follow), rows
 
     if instrument is not None:
-        return ended(State(errors, instrument, machine), must_converge)[0]
+        found, rows = ended(State(errors, instrument, machine), must_converge)
+        return _beside(found, rows, rule, tolerance, ended)
     found, rows = ended(State(errors, problem.begin(errors, machine), machine), must_converge)
+    found = _beside(found, rows, rule, tolerance, ended)
     own = slice(len(problem.scale), None)
     others = turned(problem, State(found.errors, found.instrument, found.machine), found.covariance[own, own])
     ends = [found, *(ended(start, False)[0] for start in others)]
     return min(ends, key=lambda end: rows.objective(end, rule.weight or 0.0)) if others else found
+
+
+def _beside(
+    found: Fit, rows: _Rows, rule: Solver, tolerance: float, ended: Callable[[State, bool, bool], tuple[Fit, _Rows]]
+) -> Fit:
+    """Return the lowest of a fit and those that lead away from it, on both sides, where it ended on a saddle."""
+    if not found.solution.posterior or (tolerance > CONVERGED and found.effects_seen):
+        return found
+    ends = [found, *(ended(state, False, True)[0] for state in away(found))]
+    return min(ends, key=lambda end: rows.objective(end, rule.weight or 0.0))
 
 
 class _Rows:
@@ -188,6 +207,8 @@ class _Rows:
         self._known = problem.recording.measurement.sigma_mm if scarce else None
         self._leverage = np.full(self._found.kind.noises, float(n_m + min(n, 1)) / max(scalars, 1))
         self._carried = 0.0, 0.0
+        # gross or not, as the others count it: what came back once stays where a fit does not settle for it
+        self._dropped, self._doubtful = np.zeros((2, len(self._found.values)), dtype=bool)
         # points found wrongly go first: their pull would pass for what the points of an image share
         self.later = int(self._found.kind.picked)
 
@@ -197,6 +218,10 @@ class _Rows:
         drop = self._found.kind if self._drop_gross and iteration > close - self.later else None
         off = self.shared.off(residual)
         self.weights = robust_weights(off, self.sigma, drop) if self._robust else np.ones(len(residual))
+        self._doubtful |= self._dropped & (self.weights > 0)
+        self._dropped = self.weights == 0
+        if iteration >= PATIENCE and (back := self._dropped & self._doubtful).any():
+            self.weights = np.where(back, robust_weights(off, self.sigma), self.weights)
         if not self.weights.all():  # what has no weight in the fit has none in its noise
             self.sigma = self._noise(residual, self.weights > 0)
         if self.estimated and iteration == close + self.later:
@@ -241,10 +266,10 @@ class _Iteration:
         self._close = ESTIMATED_AT
         self._felt: Array | None = None  # by which the derivatives of a soft machine are others than at fixed loads
 
-    def run(self, state: State, must_converge: bool) -> Fit:
-        """Iterate from a state; see `fit`."""
-        damping, misled, history = 0.0, False, self._history
+    def run(self, state: State, must_converge: bool, follow: bool) -> Fit:
+        """Iterate from a state; see `fit`. Derivatives of a soft machine `follow` its loads from the first."""
         soft = self._problem.gives_way
+        damping, misled, history = 0.0, follow and soft, self._history
         exact = soft and self._tolerance <= CONVERGED
         while True:
             if (follow := misled and soft) and self._felt is None:
@@ -327,14 +352,15 @@ class _Iteration:
 def rough(problem: Problem, robust: bool = True, must_converge: bool = True) -> Fit:
     """Fit the mechanism's smallest model, the encoder offsets, starting from the robot file.
 
-    A mechanism without a smaller model than its full one is fitted whole, with as much as drawings leave open. Readings
-    of joints see none of it.
+    A mechanism without a smaller model than its full one is fitted whole, with as much as drawings leave open, or its
+    file. Readings of joints see none of it.
     """
     models = problem.mechanism.models
     smallest = () if problem.readings.kind.sees_joints else min(models.values(), key=len)
     coarse, whole = problem.with_names(smallest), len(smallest) == max(map(len, models.values()))
     if whole:
-        coarse = dataclasses.replace(coarse, scale=BROAD * coarse.scale)
+        broad = np.maximum(BROAD * coarse.scale, with_prior(coarse, problem.robot)[0].scale)
+        coarse = dataclasses.replace(coarse, scale=broad)
     solver = Prior() if whole else LeastSquares()
     return fit(coarse, solver, robust=robust, weigh_repeats=False, must_converge=must_converge)
 

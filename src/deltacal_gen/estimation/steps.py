@@ -190,7 +190,7 @@ def _truncated(
     whole = whole * min(1.0, LONGEST / max(float(np.max(np.abs(whole), initial=0.0)), LONGEST))
     for _ in range(TRIALS):
         s = whole / (1.0 + damping)
-        trial = _moved(problem, state, linear, s, _following(linear.system, s), whitened, state.machine)
+        trial = _moved(problem, state, linear, s, following(linear.system, s), whitened, state.machine)
         if trial is not None:
             return trial, damping / 10
         damping = max(4 * damping, 1.0)
@@ -223,7 +223,7 @@ def _moved(
     return State(errors, moved, machine)
 
 
-def _following(system: System, s: Array) -> Array:
+def following(system: System, s: Array) -> Array:
     """Return the instrument's step that goes best with a step of the parameters."""
     if not system.n_m:
         return np.zeros(0)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.prior import BROAD
 from deltacal_gen.files.robot import kept_robot
 from deltacal_gen.identification import identifiability
 from deltacal_gen.identification.accuracy import distance_error, largest, volumetric_error
@@ -15,7 +16,7 @@ from deltacal_gen.identification.checks import copied
 from deltacal_gen.identification.drawing import doubts
 from deltacal_gen.identification.identifiability import Combination
 from deltacal_gen.identification.noise import coordinate_sigma, freedom
-from deltacal_gen.identification.prior import BROAD, share_of_data
+from deltacal_gen.identification.prior import share_of_data
 from deltacal_gen.identification.unknowns import unknowns_of
 from deltacal_gen.machine.registry import Array, Machine
 from deltacal_gen.physics.terms import kept_term

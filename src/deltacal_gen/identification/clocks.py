@@ -15,11 +15,11 @@ import numpy as np
 
 from deltacal_gen.errors import InputError
 from deltacal_gen.estimation.fit import Fit, fit
+from deltacal_gen.estimation.prior import with_prior
 from deltacal_gen.estimation.problem import Problem, pose_problem
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.identification.checks import chosen_model
-from deltacal_gen.identification.prior import with_prior
 from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.motion.clocks import Clock, TwoClocks

@@ -8,10 +8,10 @@ import numpy as np
 
 from deltacal_gen.errors import NoSolutionError
 from deltacal_gen.estimation.fit import Fit, fit
+from deltacal_gen.estimation.prior import with_prior
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.files.robot import robot_size
 from deltacal_gen.identification.noise import coordinate_sigma, noise
-from deltacal_gen.identification.prior import with_prior
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.results.parts import Source
 from deltacal_gen.units import file_unit, to_internal

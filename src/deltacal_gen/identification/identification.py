@@ -15,6 +15,7 @@ import numpy as np
 
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.estimation.fit import Fit, fit, held_out, rough
+from deltacal_gen.estimation.prior import with_prior
 from deltacal_gen.estimation.problem import Problem, pose_problem
 from deltacal_gen.estimation.residuals import lengths, rms
 from deltacal_gen.estimation.solvers import TSVD, LeastSquares, Prior, Ridge, Solver
@@ -28,7 +29,6 @@ from deltacal_gen.identification.folds import FOLDS, folds
 from deltacal_gen.identification.identifiability import Combination
 from deltacal_gen.identification.knowledge import uncertainty_of
 from deltacal_gen.identification.noise import Noise, noise
-from deltacal_gen.identification.prior import with_prior
 from deltacal_gen.identification.remedies import printed, remedies
 from deltacal_gen.identification.together import together
 from deltacal_gen.identification.uncertainty import uncertainty_map

@@ -1,41 +1,17 @@
-"""What is known of parameters before the readings, and how much of it the readings then replace."""
+"""How large errors are by the readings themselves, and how much of what was known beforehand readings replace."""
 
 from __future__ import annotations
 
-import dataclasses
-
 import numpy as np
 
-from deltacal_gen.estimation.fit import BROAD, Fit
-from deltacal_gen.estimation.problem import Problem
+from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.prior import unsaid
 from deltacal_gen.estimation.system import system
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.machine.registry import Array
 
-UNSAID = 100.0  # mm: of a tool point of which the robot file says nothing, along each axis
-TOOL = ("tx", "ty", "tz")  # of a chain; platforms have theirs known
 FACTORS = tuple(np.geomspace(0.02, 4.0, 40).tolist())  # of a prior's size, that are tried
 NOTHING_LEFT = 1e-12  # of a prior's variance: then the data know everything
-
-
-def with_prior(problem: Problem, robot: Robot, broad: float = BROAD) -> tuple[Problem, tuple[bool, ...]]:
-    """Return the problem in standard deviations of its priors, and which of them the robot file's tolerances give.
-
-    Of what the robot file does not say the prior is as `broad` as so many ordinary errors. No reflector sits in the
-    origin of a flange: a tool point of zeros is one that nobody has written down.
-    """
-    given = tuple(n in robot.tolerance for n in problem.names)
-    unsaid = _unsaid(robot)
-    sd = [
-        robot.tolerance.get(n, UNSAID if n in unsaid else broad * s)
-        for n, s in zip(problem.names, problem.scale, strict=True)
-    ]
-    return dataclasses.replace(problem, scale=np.array(sd)), given
-
-
-def _unsaid(robot: Robot) -> tuple[str, ...]:
-    """Return the parameters of which the robot file leaves open more than parts are off."""
-    return () if robot.tool.any() else TOOL
 
 
 def learned(at: Fit, robot: Robot) -> Array:
@@ -53,7 +29,7 @@ def learned(at: Fit, robot: Robot) -> Array:
     Q = np.linalg.qr(np.hstack([A_m, A_p[:, n:]]))[0]
     A, y = A_p[:, :n] - Q @ (Q.T @ A_p[:, :n]), target - Q @ (Q.T @ target)
     G, g = A.T @ A, A.T @ y
-    free = np.array([name not in robot.tolerance and name not in _unsaid(robot) for name in problem.names])
+    free = np.array([name not in robot.tolerance and name not in unsaid(robot) for name in problem.names])
 
     def evidence(factor: float) -> float:
         scale = np.where(free, factor, 1.0)

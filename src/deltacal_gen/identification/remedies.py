@@ -7,8 +7,8 @@ import dataclasses
 import numpy as np
 
 from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.prior import with_prior
 from deltacal_gen.estimation.problem import Problem
-from deltacal_gen.identification.prior import with_prior
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.registry import SOLVED, Array
 from deltacal_gen.machine.rotation import about_z

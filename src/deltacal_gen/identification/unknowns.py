@@ -13,7 +13,8 @@ from functools import cached_property
 
 import numpy as np
 
-from deltacal_gen.estimation.fit import BROAD, Fit
+from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.prior import BROAD
 from deltacal_gen.instrument.instrument import Instrument
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.results.diagnosis import NextMeasurement

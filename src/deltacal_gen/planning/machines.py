@@ -11,12 +11,12 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from deltacal_gen.estimation.prior import with_prior
 from deltacal_gen.estimation.problem import Problem, pose_problem
 from deltacal_gen.estimation.solvers import Factored
 from deltacal_gen.execution import content_key
 from deltacal_gen.files.robot import Robot, robot_to_dict
 from deltacal_gen.identification.accuracy import check_joints, without_motion
-from deltacal_gen.identification.prior import with_prior
 from deltacal_gen.instrument.instrument import Instrument
 from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.registry import Array

@@ -1,0 +1,101 @@
+"""Whether a fit stands on a saddle: where what is left bends the objective down in directions that readings do not see.
+
+A step takes the machine for linear. Where the readings do not see a parameter at all to first order (a twist that
+tilts a rod either way, a vertical axis whose compliance no weight loads) nothing pulls, and the fit ends there, though
+the objective falls to both sides. How it bends is seen in its gradient a little beside the fit. Where that is what the
+linear machine says nothing more is asked; elsewhere the direction that bends down most is sought (Lanczos 1950).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from deltacal_gen.errors import InputError
+from deltacal_gen.estimation.steps import State, following
+from deltacal_gen.estimation.system import System, system
+
+if TYPE_CHECKING:
+    from deltacal_gen.estimation.fit import Fit
+    from deltacal_gen.machine.registry import Array
+
+SEEN = 0.9  # of a direction's variance beforehand that readings take away: it holds still
+ASIDE = 0.02  # standard deviations beforehand: how far beside a fit its gradient is taken
+LINEAR = 0.02  # of a gradient's change: where less of it is not the linear machine's, nothing is asked further
+LOOKS = 8  # directions that are looked at
+DOWN = -0.05  # in units of the prior's own: a curvature that is below it leads away
+BEGUN = 0.5  # standard deviations beforehand: where steps begin
+
+
+def away(found: Fit) -> list[State]:
+    """Return states on both sides of a fit from which steps lead away from it; none where it is no saddle."""
+    at, n = found.solution, len(found.problem.scale)
+    strong = at.V[:, at.factors > SEEN]
+
+    def unseen(z: Array) -> Array:
+        return np.asarray(z - strong @ (strong.T @ z))
+
+    v = unseen(np.cos(np.square(np.arange(1.0, 1.0 + n))))  # some of every direction
+    if np.linalg.norm(v) < ASIDE:
+        return []
+    try:
+        beside = _Beside(found)
+        down = _most_down(beside, unseen, v / np.linalg.norm(v))
+        return [] if down is None else [beside.state(side * BEGUN * down) for side in (1.0, -1.0)]
+    except InputError:
+        return []  # no machine stands there
+
+
+def _most_down(beside: _Beside, unseen: Callable[[Array], Array], v: Array) -> Array | None:
+    """Return the direction (n,) of unit length that bends down most; None where none does."""
+    basis: list[Array] = [v]
+    bent: list[Array] = []
+    for k in range(LOOKS):
+        h = unseen(beside.gradient(ASIDE * basis[k]) - beside.here) / ASIDE
+        linear = unseen(beside.A.T @ (beside.A @ basis[k])) + basis[k]
+        if k == 0 and np.linalg.norm(h - linear) < LINEAR * np.linalg.norm(linear):
+            return None
+        bent.append(h)
+        Q = np.array(basis).T
+        rest = h - Q @ (Q.T @ h)
+        if np.linalg.norm(rest) < LINEAR:
+            break
+        basis.append(rest / np.linalg.norm(rest))
+    Q = np.array(basis[: len(bent)]).T
+    H = Q.T @ np.array(bent).T
+    values, vectors = np.linalg.eigh((H + H.T) / 2)
+    return None if values[0] > DOWN else np.asarray(Q @ vectors[:, 0])
+
+
+class _Beside:
+    """A fit, and how its objective goes beside it: in scaled parameters, the instrument following."""
+
+    def __init__(self, found: Fit) -> None:
+        self._fit = found
+        self._system = self._rows(State(found.errors, found.instrument, found.machine))
+        self.A, b = self._system.machine
+        self.here: Array = found.departure - self.A.T @ b
+
+    def state(self, aside: Array) -> State:
+        """Return where parameters are off by `aside` (n,)."""
+        found = self._fit
+        errors = found.errors.copy()
+        errors[found.problem.columns] += aside * found.problem.scale
+        instrument = found.instrument.stepped(following(self._system, aside))
+        return State(errors, instrument, found.problem.solve(errors, near=found.machine))
+
+    def gradient(self, aside: Array) -> Array:
+        """Return half the gradient (n,) there."""
+        A, b = self._rows(self.state(aside)).machine
+        out: Array = self._fit.departure + aside - A.T @ b
+        return out
+
+    def _rows(self, at: State) -> System:
+        """Return the rows of the machine made linear, of a soft one as its loads follow, weighed as in the fit."""
+        found, problem = self._fit, self._fit.problem
+        linear = problem.linearise(at.errors, at.instrument, at.machine)
+        if problem.gives_way:
+            linear = linear._replace(J_p=linear.J_p + problem.followed(*at))
+        return system(linear, found.sigma, found.weights, found.repeats, problem.scale)
