@@ -17,6 +17,7 @@ from deltacal_gen.estimation.fit import Fit
 from deltacal_gen.estimation.residuals import HUBER
 from deltacal_gen.machine.registry import Array
 
+FAR = 3.0  # times what the ratio scatters by: so far below its size it is not of effects that hold
 MOST_WRONG = 0.05  # probability of either error, beyond which held-out readings decide nothing
 
 
@@ -51,6 +52,14 @@ class Evidence:
     def denies(self) -> bool:
         """Whether the readings lie farther off with the effects, by more than the ratio scatters."""
         return self.ratio < -2 * float(np.sqrt(self.size))
+
+    @property
+    def falls_short(self) -> bool:
+        """Whether the readings deny the effects, or bear out far less than effects that hold move them by.
+
+        What only stands for something else, or was chosen of very many, moves readings by more than they bear out.
+        """
+        return self.denies or self.ratio < self.size - FAR * 2 * float(np.sqrt(self.size))
 
 
 def evidence(at: Fit, before: Array, after: Array) -> Evidence:

@@ -129,7 +129,7 @@ def _speak_for(
     Effects that other readings would not have chosen, or in sizes that spoil the prediction, hold for their own alone.
     """
     found = evidence(first, without, held_out_errors(search.fit, Prior(), parts))
-    return found.speaks and not evidence(first, without, predicted).denies
+    return found.speaks and not evidence(first, without, predicted).falls_short
 
 
 def _unexplained(search: Search, left: Sequence[Structure], lean: bool) -> bool:
