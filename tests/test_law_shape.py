@@ -186,3 +186,18 @@ def test_a_state_that_lags_by_no_time_or_less_is_itself(tau: float) -> None:
     found = ground.lagged("warming", tau)
     assert np.isfinite(found).all()
     assert found.ravel() == pytest.approx(ground.states["warming"].ravel(), abs=1e-9)
+
+
+def test_a_law_found_elsewhere_is_read_where_its_state_and_place_are_others(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of a part of the readings a state may be a straight line of another, and a target may move them as another."""
+    two = OF["payload_kg"]
+    recording = record(ROBOT, n=N, of={"payload_kg": two, "oil_C": 40.0 + 3.0 * two})
+    ground = Ground(fit(pose_problem(ROBOT, recording, DELTA.model("delta/18")), Prior(), must_converge=False))
+    assert "payload" in ground.states
+    assert "oil_C" not in ground.states
+    form = grammar.single("oil_C", grammar.Atom("oil_C"))
+    assert ground.values(form).ravel() == pytest.approx(40.0 + 3.0 * two[ground.rows])
+    assert np.isfinite(ground.farther(form, 0.25)).all()
+    joint, others = ground.place("joint"), [p for p in ground.places if p.target != "joint"]
+    monkeypatch.setattr(Ground, "places", others)
+    assert np.array_equal(ground.place("joint").columns, joint.columns)

@@ -107,25 +107,30 @@ class Ground:
     @cached_property
     def places(self) -> list[Place]:
         """Every target that this machine and this kind of readings have."""
-        every, out = tuple(range(1, self.problem.mechanism.limbs + 1)), list[Place]()
+        out = list[Place]()
         for target in TARGETS:
-            law = load_law(f"{PREFIX}{target} = c1")
-            limbs = every if law.PER_LIMB else ()
-            unknown = law.ACTS_ON == "reading" and target not in self.problem.readings.kind.targets
-            unknown |= self.problem.readings.kind.sees_joints and target != "joint"
-            if unknown or self.problem.body.foreign(law.NAME):
-                continue
-            at = self.fit
-            term = blank(law.NAME, limbs)
-            columns = self.problem.term_columns([term], at.errors, at.instrument, self.beside.machine)
-            columns = np.where(np.isfinite(columns), columns, 0.0)
-            if columns.any() and not any(_moves_alike(columns, p.columns) for p in out):
-                out.append(Place(target, limbs, columns))
+            own = self._own_place(target)
+            if own is not None and own.columns.any() and not any(_moves_alike(own.columns, p.columns) for p in out):
+                out.append(own)
         return out
 
+    def _own_place(self, target: str) -> Place | None:
+        """Return the place of a target; None where this machine or this kind of readings has none."""
+        law = load_law(f"{PREFIX}{target} = c1")
+        limbs = tuple(range(1, self.problem.mechanism.limbs + 1)) if law.PER_LIMB else ()
+        unknown = law.ACTS_ON == "reading" and target not in self.problem.readings.kind.targets
+        unknown |= self.problem.readings.kind.sees_joints and target != "joint"
+        if unknown or self.problem.body.foreign(law.NAME):
+            return None
+        at = self.fit
+        columns = self.problem.term_columns([blank(law.NAME, limbs)], at.errors, at.instrument, self.beside.machine)
+        return Place(target, limbs, np.where(np.isfinite(columns), columns, 0.0))
+
     def place(self, target: str) -> Place:
-        """Return a place by its target."""
-        return next(p for p in self.places if p.target == target)
+        """Return a place by its target, of a law that was found elsewhere also one that moves readings as another."""
+        found = next((p for p in self.places if p.target == target), None) or self._own_place(target)
+        assert found is not None
+        return found
 
     @cached_property
     def states(self) -> dict[str, Array]:
@@ -142,6 +147,10 @@ class Ground:
                 if not any(_same(v, o) for n, o in out.items() if (o.ndim == 2) == own and not _numbered(n, name)):
                     out[name] = v
         return out
+
+    def _of(self, name: str) -> Array:
+        """Return a state at the readings, also one that is a straight line of another here: laws elsewhere read it."""
+        return self.states[name] if name in self.states else self._read[name][self.rows]
 
     def readable(self, place: Place) -> list[str]:
         """Return the states that a law at a place may read."""
@@ -216,7 +225,7 @@ class Ground:
         f = formula(text.format(*(f"c{k}" for k in range(len(constants)))))
         names = {f"c{k}": constants[k] for k in _constants(text)}
         known: dict[str, Array | float] = {**names}
-        known |= {n: v.reshape(len(v), -1) for n in f.names if (v := states.get(n)) is not None}
+        known |= {n: (v := states.get(n, self._of(n))).reshape(len(v), -1) for n in f.names if n not in names}
         known |= {f"Lag({s}, {tau})": self.lagged(s, names[tau]) for s, tau in f.lags}
         out = np.nan_to_num(f(known), posinf=0.0, neginf=0.0)
         return out if out.ndim else np.full((len(self.rows), 1), float(out))
@@ -225,7 +234,7 @@ class Ground:
         """Return what `values` does, of states that reach beyond both of their ends by a part of their width."""
         states = {}
         for name in form.states:
-            v = self.states[name]
+            v = self._of(name)
             middle = 0.5 * (v.min() + v.max())
             states[name] = middle + (1 + 2 * part) * (v - middle)
         each = [[self._computed(t, form.constants, states) for t in factors] for factors in form.factors]
@@ -363,7 +372,7 @@ class Ground:
         return G[0], b[0], size[0]
 
     def _seen(self, state: str, limbs: tuple[int, ...]) -> Array:
-        values = self.states[state]
+        values = self._of(state)
         return values[:, [i - 1 for i in limbs]] if values.ndim == 2 and limbs else values
 
 
