@@ -136,6 +136,16 @@ def test_beyond_what_was_seen_a_law_goes_on_for_half_of_it_and_stays() -> None:
     np.testing.assert_allclose(moved, [-5.0, 0.0, 10.0, 14.0, 15.0, 15.0])
 
 
+def test_beyond_what_was_seen_a_law_changes_by_no_more_than_within() -> None:
+    """What fits within explodes outside: an exponential over five scales would be a dozen times as large there."""
+    found = load_law("law joint = c1*exp(torque/c2)")
+    s = np.array([[0.0], [10.0], [10.5], [15.0], [-5.0]])
+    moved = found.value(s, np.full((1, 1), -2.0), (2.0, 0.0, 10.0))[:, 0]
+    most = np.exp(5.0)
+    np.testing.assert_allclose(moved, -2 * np.array([1.0, most, np.exp(5.25), most + (most - 1.0), np.exp(-2.5)]))
+    np.testing.assert_allclose(found.jacobian(s, np.ones((1, 1)), (2.0, 0.0, 10.0))[:, 0, 0], moved / -2)
+
+
 def test_beyond_what_was_seen_a_wave_goes_on_and_what_it_is_weighed_by_stays() -> None:
     found = load_law("law joint = c1*torque*Heaviside(Mod(time - c2, c3) - c3/2)")
     s = np.array([[10.0, 6.0], [10.0, 1006.0], [1000.0, 1006.0], [1000.0, 1001.0]])  # torque, then time

@@ -3,8 +3,8 @@
 A law is called by what it says, ``law limb.rod = c1*tanh(tension_1/c2)``: under that name it is a term like any effect.
 It is fitted jointly with the geometry, kept in answers, predicted from and compensated. The constants that multiply its
 summands are its coefficients; those within (thresholds, scales, orders, time constants) are constants of the term, and
-so are the ends of each state where it was found. Beyond these a law goes on for half of what was seen, then it stays;
-a wave goes on.
+so are the ends of each state where it was found. Beyond these a law goes on for half of what was seen, and by no more
+than it varied there, then it stays: an exponential or a square that fits within explodes outside. A wave goes on.
 """
 
 from __future__ import annotations
@@ -20,6 +20,8 @@ from deltacal_gen.physics.formula import Unit, formula, unit, written
 from deltacal_gen.physics.states import State
 
 PREFIX = "law "
+ROUNDING = 1e-9  # of the width that was seen: less beyond it is none
+SEEN_AT = 1000  # points of the ranges of its states at which is seen by how much a law varies there
 BEYOND = 0.5  # of the width that was seen: how far a law goes on beyond it
 ON = {
     **{"joint": "limb", "torque": "limb", "limb": "limb"},
@@ -108,17 +110,37 @@ class Law:
 
     def value(self, s: Array, c: Array, constants: Sequence[float | str] = ()) -> Array:
         """Return by how much the target is moved, (M, 1); s are states, then what is lagged."""
+        if self._outside(s, constants).any():
+            moved: Array = (self.jacobian(s, c, constants)[:, 0] * c).sum(axis=1)[:, None]
+            return moved
         known = self._known(s, constants)
-        return self._moved(s, known | dict(zip(self.formula.linear, c.T, strict=True)))
+        return self._moved(len(s), known | dict(zip(self.formula.linear, c.T, strict=True)))
 
     def jacobian(self, s: Array, c: Array, constants: Sequence[float | str] = ()) -> Array:
         """Return the derivatives of `value` by the coefficients, (M, 1, n_c)."""
-        known, names = self._known(s, constants), self.formula.linear
-        each = [self._moved(s, known | {n: float(n == one) for n in names}) for one in names]
-        return np.stack(each, axis=2)
+        out = self._functions(len(s), self._known(s, constants))
+        if (outside := self._outside(s, constants).any(axis=1)).any():
+            own = s[outside].copy()
+            near = self._functions(len(own), self._known(np.clip(own, *self._box(own, constants).T), constants))
+            varies = self._varies(constants)
+            out[outside] = np.clip(out[outside], near - varies, near + varies)
+        return out[:, None]
 
-    def _moved(self, s: Array, known: dict[str, Array | float]) -> Array:
-        return np.nan_to_num(np.broadcast_to(self.formula(known), len(s)))[:, None]
+    def _functions(self, n: int, known: dict[str, Array | float]) -> Array:
+        """Return what stands beside each coefficient, (n, n_c)."""
+        names = self.formula.linear
+        return np.hstack([self._moved(n, known | {k: float(k == one) for k in names}) for one in names])
+
+    def _varies(self, constants: Sequence[float | str]) -> Array:
+        """Return by how much what stands beside each coefficient varies where the law was found, (n_c,)."""
+        count = max(int(SEEN_AT ** (1 / len(self.STATE))), 3)
+        each = np.meshgrid(*(np.linspace(low, high, count) for low, high in self.ends(constants)))
+        at = np.stack([values.ravel() for values in each], axis=1)
+        lagged = [self.STATE.index(state) for state, _ in self.lags]
+        return np.ptp(self._functions(len(at), self._known(np.hstack([at, at[:, lagged]]), constants)), axis=0)
+
+    def _moved(self, n: int, known: dict[str, Array | float]) -> Array:
+        return np.nan_to_num(np.broadcast_to(self.formula(known), n))[:, None]
 
     def _known(self, s: Array, constants: Sequence[float | str]) -> dict[str, Array | float]:
         """Return states, within their ends, and constants by name; what is lagged by its text."""
@@ -133,6 +155,26 @@ class Law:
         low, high = self.ends(constants).T
         beyond = np.where([state in self.formula.recurring for state in self.STATE], np.inf, BEYOND * (high - low))
         return np.clip(s, low - beyond, high + beyond)
+
+    def _box(self, s: Array, constants: Sequence[float | str]) -> Array:
+        """Return the ends (n_s + m, 2) that count: none of what recurs, those of its state of what is lagged."""
+        recurs = [state in self.formula.recurring for state in self.STATE]
+        ends = np.where(np.array(recurs)[:, None], [-np.inf, np.inf], self.ends(constants))
+        return np.vstack([ends, *(ends[None, self.STATE.index(state)] for state, _ in self.lags)])[: s.shape[1]]
+
+    def _outside(self, s: Array, constants: Sequence[float | str]) -> np.ndarray:
+        """Return which states, and what is lagged, (M, n_s + m) lie beyond the ends that count."""
+        if not self.STATE:
+            return np.zeros(s.shape, dtype=bool)
+        low, high = self._box(s, constants).T
+        return np.asarray((s < low) | (s > high))
+
+    def beyond(self, s: Array, constants: Sequence[float | str]) -> np.ndarray:
+        """Return which states (M, n_s) lie beyond the ends of where the law was found."""
+        low, high = self.ends(constants).T
+        with np.errstate(invalid="ignore"):  # no ends, no width
+            width = np.nan_to_num(ROUNDING * (high - low))
+        return np.asarray((s < low - width) | (s > high + width))
 
     def ends(self, constants: Sequence[float | str]) -> Array:
         """Return between which values (n_s, 2) each state was where the law was found; infinite, where nothing says."""

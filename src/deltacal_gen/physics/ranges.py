@@ -10,8 +10,6 @@ from deltacal_gen.physics.body import Body, Deformed
 from deltacal_gen.physics.law import Law
 from deltacal_gen.physics.terms import Term
 
-ROUNDING = 1e-9  # of a range: less beyond it is none
-
 
 def outside(body: Body, machine: Deformed, terms: Sequence[Term]) -> np.ndarray:
     """Return which rows (N,) lie where some law among effects was never seen: beyond the range of a state it reads."""
@@ -22,13 +20,10 @@ def outside(body: Body, machine: Deformed, terms: Sequence[Term]) -> np.ndarray:
             continue
         x = np.nan_to_num(machine.x)
         state = body.state([s.name for s in term.states], x, machine.q, machine.rows, term.limbs)
-        low, high = law.ends(term.constants).T
-        width = ROUNDING * (high - low)
-        for name, least, most in zip(law.STATE, low - width, high + width, strict=True):
-            values = state[name]
-            own = values[:, [i - 1 for i in term.limbs]] if values.ndim == 2 and term.limbs else values
-            beyond = (own < least) | (own > most)
-            out |= beyond.any(axis=1) if beyond.ndim == 2 else beyond
+        for k in range(len(term.limbs) or 1):
+            each = [state[name] for name in law.STATE]
+            own = [values[:, term.limbs[k] - 1] if values.ndim == 2 else values for values in each]
+            out |= law.beyond(np.stack(own, axis=1), term.constants).any(axis=1)
     return out
 
 
@@ -38,5 +33,5 @@ def in_words(beyond: np.ndarray, what: str) -> str | None:
         return None
     return (
         f"{beyond.sum()} of {len(beyond)} {what} lie outside the range in which the law was found: it goes on for half "
-        "of that range and then stays"
+        "of that range, by no more than it varied within, and then stays"
     )
