@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -15,7 +14,6 @@ import sympy as sp
 import deltacal_gen as dc
 from deltacal_gen.diagnosis.laws.effect_file import effect_file
 from deltacal_gen.errors import InputError, UsageError
-from deltacal_gen.physics.law import is_law, load_law
 from derive.mathematics.effects import effect as derived
 from tests.motion_recordings import DEG, NOISE, named, written
 
@@ -80,26 +78,6 @@ def test_it_predicts_runs_that_it_has_not_seen(found: tuple[str, Path, Any], tmp
     kept = tmp_path / "diagnosis.json"
     kept.write_text(diagnosis.to_json())
     assert dc.validate(kept, fresh)["rms_by_joint"][2] == pytest.approx(NOISE, rel=0.1)
-
-
-def test_samples_beyond_its_range_are_counted(found: tuple[str, Path, Any], tmp_path: Path) -> None:
-    _, path, diagnosis = found
-    kept = tmp_path / "diagnosis.json"
-    kept.write_text(diagnosis.to_json())
-    record = json.loads(kept.read_text())
-    (term,) = (t for model in record["joints"] for t in model["terms"] if is_law(t["effect"]))
-    known = load_law(term["effect"])
-    ends = len(term["constants"]) - 2 * (len(known.STATE) - known.STATE.index("q"))
-    low, high = term["constants"][ends : ends + 2]
-    term["constants"][ends + 1] = middle = 0.5 * (low + high)
-    kept.write_text(json.dumps(record))
-    told: list[str] = []
-    predicted = dc.predict(kept, path, tell=told.append)
-    (text,) = told
-    assert "samples lie outside the range in which the law was found" in text
-    outside, every = (int(n) for n in re.findall(r"\d+", text)[:2])
-    assert every == predicted.n_rows
-    assert outside / every == pytest.approx(np.mean(predicted.joints[:, 2] > middle), abs=0.01)
 
 
 def test_it_is_written_as_the_file_of_an_effect_that_says_the_same(found: tuple[str, Path, Any]) -> None:

@@ -68,8 +68,8 @@ class Torque:
         told = Truth() if truth is None else read_truth(truth, Rigid(robot))
         return simulated(robot, given, told, noise, np.random.default_rng(seed))
 
-    def predict(self, known: MotionModel) -> tuple[Trajectories, np.ndarray]:
-        """Return the recording with the readings that a model predicts, and where a law goes beyond its range."""
+    def predict(self, known: MotionModel) -> Trajectories:
+        """Return the recording with the readings that a model predicts."""
         from deltacal_gen.motion.prediction import predicted
 
         return predicted(known, self.read(robot_of(known.robot), need_measured=False))

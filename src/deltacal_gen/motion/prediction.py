@@ -16,9 +16,7 @@ from deltacal_gen.motion.library import Rung, of_joint
 from deltacal_gen.motion.payload import torque_of
 from deltacal_gen.motion.rigid import Rigid
 from deltacal_gen.motion.trajectories import Readout, Trajectories
-from deltacal_gen.physics.law import Law
 from deltacal_gen.physics.splines import Samples, smooth
-from deltacal_gen.physics.terms import load_effect
 from deltacal_gen.results.motion import (
     JointModel,
     MotionDiagnosis,
@@ -34,11 +32,10 @@ if TYPE_CHECKING:
 WORST = 20  # readings that are listed
 
 
-def predicted(known: MotionModel, given: Trajectories) -> tuple[Trajectories, np.ndarray]:
+def predicted(known: MotionModel, given: Trajectories) -> Trajectories:
     """Return a recording with the readings that a model predicts; blank at rest, where friction is not known.
 
-    Measured cells are not read. A joint that did not move in the recording of the model has no prediction. Beside it
-    stands at which samples (N,) a law is asked beyond the range in which it was found.
+    Measured cells are not read. A joint that did not move in the recording of the model has no prediction.
     """
     robot = robot_of(known.robot)
     rigid, found = Rigid(robot), motion(given, known.motion.cutoff_Hz)
@@ -49,26 +46,15 @@ def predicted(known: MotionModel, given: Trajectories) -> tuple[Trajectories, np
     payload = known_beforehand(known, rigid, states, given)
     units = tuple(column.rpartition("_")[2] if "_" in column else "1" for column in known.columns)
     done = dataclasses.replace(given, columns=known.columns, units=units)
-    out, beyond = np.full(given.joints.shape, np.nan), np.zeros(len(given.joints), dtype=bool)
+    out = np.full(given.joints.shape, np.nan)
     for j, model in models.items():
         late = functools.partial(earlier, delay=model.delay or 0.0, time=given.time, piece=given.piece)
         read = {name: late(values) for name, values in of_joint(given, states, j - 1).items()}
         own = late(columns[j - 1]), late(payload[:, j - 1]), done.readouts[j - 1]
         value = given_by_drive(model, read, remembered(model, read, given), *own)
-        beyond |= _beyond_laws(model, read | {"torque": asked_of_drive(model, *own)})
         moving = np.abs(late(found.states[1, :, j - 1])) > model.at_rest_below
         out[:, j - 1] = np.where(moving, value / done.readouts[j - 1].inside, np.nan)
-    return dataclasses.replace(done, readings=out), beyond
-
-
-def _beyond_laws(model: JointModel, read: dict[str, Array]) -> np.ndarray:
-    """Return at which samples (N,) a law of a joint is asked beyond the range in which it was found."""
-    out: np.ndarray = np.zeros(len(next(iter(read.values()))), dtype=bool)
-    for term in model.terms:
-        law = load_effect(term.effect)
-        if isinstance(law, Law) and law.STATE:
-            out |= law.beyond(np.stack([read[name] for name in law.STATE], axis=1), term.constants).any(axis=1)
-    return out
+    return dataclasses.replace(done, readings=out)
 
 
 def known_beforehand(known: MotionModel, rigid: Rigid, states: Array, given: Trajectories) -> Array:
@@ -108,24 +94,20 @@ def given_by_drive(
     known : (N,) array
         What is known of what it must give; see `known_beforehand`.
     """
-    load = asked_of_drive(model, columns, known, readout)
+    load = columns @ np.array(model.coefficients)
+    if readout.forces:
+        load = load + known
+    elif model.payload is not None:
+        load = load + model.payload * known
     read, total = read | {"torque": load}, load
     for term, own in zip(model.terms, past, strict=True):
         total = total + Rung(term.effect, term.constants).columns(read | own) @ np.array(term.values)
     return np.asarray(total)
 
 
-def asked_of_drive(model: JointModel, columns: Array, known: Array, readout: Readout) -> Array:
-    """Return what the machine without its drives asks of a joint's (N,), in units inside; see `given_by_drive`."""
-    load: Array = columns @ np.array(model.coefficients)
-    if readout.forces:
-        return load + known
-    return load if model.payload is None else load + model.payload * known
-
-
 def validated(known: MotionResult | MotionDiagnosis, given: Trajectories) -> MotionValidation:
     """Return how far off a model is on samples that it has not seen."""
-    done, _ = predicted(known, given)
+    done = predicted(known, given)
     left = given.readings - done.readings
     rms = tuple(_rms(left[:, j]) for j in range(left.shape[1]))
     units = set(done.units)

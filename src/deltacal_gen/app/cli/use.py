@@ -177,12 +177,9 @@ def predict(
     if not isinstance(done, Recording):
         said = f"samples predicted in {output}; at rest, where friction is not known, they are blank"
         if as_json:
-            kind = done.said.measurement.kind
-            print_json(Predicted(file=str(output), kind=kind, readings=done.n_rows, told=tuple(told)))
+            print_json(Predicted(file=str(output), kind=done.said.measurement.kind, readings=done.n_rows, told=()))
         else:
             screen.print(f"{done.n_rows} {said}")
-            for words in told:
-                screen.print(words)
         return
     rows = done.n_rows if done.pairs is None else len(done.pairs)
     if as_json:

@@ -262,9 +262,7 @@ def predict(
     known = known_model(result)
     if isinstance(known, MotionModel):
         refuse_in_motion(place=place, bands=bands)
-        found, outside = _moving(recording).predict(known)
-        if (beyond := in_words(outside, "samples")) is not None:
-            tell(beyond)
+        found = _moving(recording).predict(known)
         if output is not None:
             write_files({Path(output): csv_text(columns_of(found))})
         return cast("Recording", found)
