@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+import deltacal_gen as dc
 from deltacal_gen.errors import InputError
 from deltacal_gen.motion import derivatives, kinds
 from tests.motion_recordings import STEP, robot, trajectory, usual, written
@@ -70,6 +71,26 @@ def test_what_is_put_right_is_said(recorded: Path, tmp_path: Path) -> None:
     twice = read(changed(recorded, tmp_path, with_cell(100, 1, "0.970000")))
     assert twice.repairs[0].endswith("100: the time of the row before once more; the row is left out")
     assert twice.n_rows == overflow.n_rows - 1
+
+
+def of_column(column: int, value: Callable[[float], float]) -> Callable[[list[str]], list[str]]:
+    def change(lines: list[str]) -> list[str]:
+        rows = [line.split(",") for line in lines[1:]]
+        cells = [[*row[:column], f"{value(float(row[column])):.6f}", *row[column + 1 :]] for row in rows]
+        return [lines[0], *(",".join(row) for row in cells)]
+
+    return change
+
+
+def test_angles_that_begin_anew_after_a_turn_are_counted_on(recorded: Path, tmp_path: Path) -> None:
+    plain = read(recorded)
+    middle = float(np.degrees(np.median(plain.joints[:, 0])))
+    given = read(changed(recorded, tmp_path, of_column(2, lambda q: (q - middle) % 360 + middle)))
+    off = (given.joints - plain.joints) / (2 * np.pi)
+    assert np.abs(off - np.round(off[0])).max() < 1e-8
+    assert len(given.repairs) == 1
+    assert "q1_deg jumps by a whole turn, here and" in given.repairs[0]
+    assert given.repaired == ()
 
 
 def test_where_a_run_begins_is_no_spike(tmp_path: Path) -> None:

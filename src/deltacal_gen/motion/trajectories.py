@@ -28,6 +28,8 @@ if TYPE_CHECKING:
 READ = re.compile(r"(tau|current|drive)\d+(_[A-Za-z]+)?")  # columns of what drives give
 SPIKE = 50.0  # times what neighbouring samples ordinarily differ by: no drive and no joint does that
 LONGEST_SPIKE = 3  # samples
+TURNS_ON = 5.0  # times what a joint ordinarily moves from sample to sample: so much it may beside a whole turn
+MOVES = 1e-2  # rad: what it may at least
 INSIDE = {"Nm": 1000.0, "N": 1.0, "A": 1.0, "1": 1.0}  # of a unit in files: N mm, N, A, 1
 
 
@@ -228,6 +230,12 @@ def trajectories(rows: Rows, machine: Machine, sidecar: Sidecar, *, need_measure
     readings = _numbers(rows, columns)
     piece = pieces_of(time, run)
     by = (*factors, *np.ones(limbs))
+    for name, values, unit_of in zip(names, joints.T, of_joints(unit, limbs), strict=True):
+        if unit_of == "rad" and len(wraps := _counted_on(values, piece)):
+            repairs.append(
+                f"{rows.path}:{rows.line[wraps[0]]}: {name} jumps by a whole turn, here and {len(wraps) - 1} times "
+                "more; angles are counted on"
+            )
     for name, values, unit_in in zip((*names, *columns), (*joints.T, *readings.T), by, strict=True):
         spikes = _spikes_out(values, piece, filled=name in names)
         repaired |= set(rows.line[list(spikes)].tolist())
@@ -357,6 +365,29 @@ def _channel(rows: Rows, name: str) -> Array:
 def temperature(given: Trajectories) -> Array | None:
     """Return the temperature (N,) [degC] of a recording that has one."""
     return next((values for name, values in given.channels.items() if TEMPERATURE.fullmatch(name)), None)
+
+
+def _counted_on(angles: Array, piece: np.ndarray) -> np.ndarray:
+    """Count the angles (N,) [rad] of a joint on where they begin anew after a turn; return the rows at which they do.
+
+    From one sample to the next the joint goes on as it does elsewhere, but for whole turns. Movements are put where the
+    first of them is.
+    """
+    step, within, whole = np.diff(angles), np.diff(piece) == 0, 2 * np.pi
+    turns = np.where(within, np.round(step / whole), 0.0)
+    if not turns.any():
+        return np.empty(0, dtype=int)
+    ordinary = np.abs(step[within & (turns == 0)])
+    usual = float(np.quantile(ordinary, 0.99)) if len(ordinary) else 0.0
+    turns[np.abs(step - whole * turns) > max(TURNS_ON * usual, MOVES)] = 0.0
+    if not turns.any():
+        return np.empty(0, dtype=int)
+    angles[1:] -= whole * np.cumsum(turns)
+    own = np.split(np.arange(len(piece)), np.flatnonzero(np.diff(piece)) + 1)
+    first = np.median(angles[own[0]])
+    for rows in own:
+        angles[rows] -= whole * np.round((np.median(angles[rows]) - first) / whole)
+    return np.flatnonzero(turns) + 1
 
 
 def _spikes_out(values: Array, piece: np.ndarray, *, filled: bool) -> dict[int, float]:
