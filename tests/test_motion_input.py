@@ -93,6 +93,26 @@ def test_angles_that_begin_anew_after_a_turn_are_counted_on(recorded: Path, tmp_
     assert given.repaired == ()
 
 
+def test_of_a_drive_whose_reading_never_changes_nothing_is_said(recorded: Path, tmp_path: Path) -> None:
+    (tmp_path / "robot.toml").write_text((recorded.parent / "robot.toml").read_text())
+    path = changed(recorded, tmp_path, of_column(6, lambda _: 0.0))
+    found = dc.diagnose(tmp_path / "robot.toml", path)
+    assert found["verdict"] == "missing_physics"
+    assert {joint["joint"] for joint in found["joints"]} == {1, 3}
+    assert "The reading of joint 2 never changes" in found["summary"]
+    assert "it moves, and its reading never changes" in found["next_measurements"][0]["text"]
+    known = {p["name"]: p for p in dc.identify(tmp_path / "robot.toml", path)["parameters"]}
+    assert all(np.isfinite(p["std"]) for p in known.values())
+
+
+def test_readings_that_all_never_change_are_refused(recorded: Path, tmp_path: Path) -> None:
+    constant = of_column(5, lambda _: 1.0), of_column(6, lambda _: 0.0), of_column(7, lambda _: 0.0)
+    (tmp_path / "robot.toml").write_text((recorded.parent / "robot.toml").read_text())
+    path = changed(recorded, tmp_path, lambda lines: constant[2](constant[1](constant[0](lines))))
+    with pytest.raises(InputError, match="readings never change: tau1_Nm, tau2_Nm, tau3_Nm"):
+        dc.identify(tmp_path / "robot.toml", path)
+
+
 def test_where_a_run_begins_is_no_spike(tmp_path: Path) -> None:
     """Joints stand elsewhere when the next run begins, many times what they move from sample to sample."""
     given = read(written(tmp_path, usual, runs=3, seed=105))

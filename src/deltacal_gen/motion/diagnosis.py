@@ -16,7 +16,7 @@ from deltacal_gen.motion.ladder import BUYS, LookedAt
 from deltacal_gen.motion.lag import LATENCY
 from deltacal_gen.motion.laws import Lawful, lawful
 from deltacal_gen.motion.payload import NAMES, PAYLOAD, PayloadError
-from deltacal_gen.motion.session import Session, still_to_move
+from deltacal_gen.motion.session import Session, still_to_move, untold
 from deltacal_gen.motion.told import told
 from deltacal_gen.motion.traces import traces
 from deltacal_gen.motion.trajectories import INSIDE, Trajectories
@@ -359,7 +359,7 @@ def _summary(
     session: Session,
     fits: Sequence[Fit],
 ) -> str:
-    still = [j.number for j in session.joints if j.number not in {fit.joint.number for fit in fits}]
+    still, silent = (", ".join(map(str, some)) for some in untold(session, fits))
     named = [_where(e) for e in effects]
     parts = [f"Beside the rigid machine the drives overcome {'; '.join(named)}." if named else ""]
     if laws:
@@ -370,7 +370,9 @@ def _summary(
     if not named and not laws and not rests:
         parts.append("The rigid machine explains what the drives give.")
     if still:
-        parts.append(f"Joint {', '.join(map(str, still))} moves too little to say anything.")
+        parts.append(f"Joint {still} moves too little to say anything.")
+    if silent:
+        parts.append(f"The reading of joint {silent} never changes: of what its drive gives nothing can be said.")
     return " ".join(p for p in parts if p)
 
 

@@ -99,6 +99,11 @@ class Joint:
         """Whether there are samples enough, in two folds at least."""
         return len(self.y) >= FEW and len(np.unique(self.fold[self.fold != BETWEEN])) > 1
 
+    @property
+    def silent(self) -> bool:
+        """Whether its reading never changes: no drive that moves a joint gives that."""
+        return len(self.rows) > 0 and float(np.ptp(self.series.y[self.rows])) == 0.0
+
     @cached_property
     def candidates(self) -> tuple[Rung, ...]:
         """All effects that these samples can tell, with the constants to be looked at."""

@@ -85,14 +85,22 @@ class Session:
 
     @property
     def moving(self) -> list[Joint]:
-        """The joints of which there are samples enough.
+        """The joints of which there are samples enough, with readings that change.
 
         Raises
         ------
         InputError
             There are none.
         """
-        found = [joint for joint in self.joints if joint.moves]
+        moved = [joint for joint in self.joints if joint.moves]
+        found = [joint for joint in moved if not joint.silent]
+        if moved and not found:
+            columns = ", ".join(self.given.columns[joint.number - 1] for joint in moved)
+            raise InputError(
+                f"joints move, and their readings never change: {columns}.",
+                "Record there what the drives give.",
+                file=self.given.path,
+            )
         if not found:
             raise InputError(
                 "no joint moves for long enough: friction at rest is not known, and nothing could be held out.",
@@ -286,14 +294,24 @@ def _joints(
     return [each.at() for each in series]
 
 
+def untold(session: Session, fits: Sequence[Fit]) -> tuple[list[int], list[int]]:
+    """Return the joints of which nothing can be said: those that move too little, and those whose reading is one."""
+    fitted = {fit.joint.number for fit in fits}
+    others = [joint for joint in session.joints if joint.number not in fitted]
+    return [j.number for j in others if not j.moves], [j.number for j in others if j.moves]
+
+
 def still_to_move(session: Session, fits: Sequence[Fit]) -> tuple[NextMeasurement, ...]:
-    """Return that joints should be moved which stood still."""
-    moving = {fit.joint.number for fit in fits}
-    still = [str(joint.number) for joint in session.joints if joint.number not in moving]
-    if not still:
-        return ()
-    text = f"Move joint {', '.join(still)}, both ways and at several speeds, in runs of ten seconds at least."
-    return (NextMeasurement(why="joints stood still", text=text, poses=(), expected_chi2=None),)
+    """Return that joints should be moved which stood still, and read whose readings never change."""
+    still, silent = (", ".join(map(str, some)) for some in untold(session, fits))
+    found = []
+    if still:
+        text = f"Move joint {still}, both ways and at several speeds, in runs of ten seconds at least."
+        found.append(NextMeasurement(why="joints stood still", text=text, poses=(), expected_chi2=None))
+    if silent:
+        text = f"Record what the drive of joint {silent} gives, if it has one: it moves, and its reading never changes."
+        found.append(NextMeasurement(why="readings never change", text=text, poses=(), expected_chi2=None))
+    return tuple(found)
 
 
 def sigma_said(given: Trajectories, unit: str) -> float | None:
