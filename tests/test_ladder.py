@@ -48,6 +48,24 @@ def test_a_size_that_nearly_buys_enough_is_looked_at_between_those_that_are_sear
     assert near.nearly(chosen, range(FOLDS)) == [2]  # 1.6 % of the rms: a better size may buy the rest
 
 
+def test_what_a_ridge_presumes_is_no_knowledge() -> None:
+    rng = np.random.default_rng(5)
+    one = rng.standard_normal(SAMPLES)
+    X = np.column_stack([one, one + 1e-3 * rng.standard_normal(SAMPLES)])
+    bench = regression.Bench.of(X, one, np.arange(SAMPLES) % FOLDS, 2)
+    variance = np.diag(np.linalg.inv((X / bench.scale).T @ (X / bench.scale)))
+    for ridge in regression.RIDGES:
+        known = dataclasses.replace(bench, ridge=ridge).covariance(range(2))
+        np.testing.assert_allclose(np.diag(known), variance, rtol=0.01)
+
+
+def test_a_clock_that_jumps_leaves_stretches_to_hold_out() -> None:
+    time = np.arange(3000) * 0.01 + 3600.0 * (np.arange(3000) >= 1500)
+    fold, held = regression.folds_of(time, np.zeros(3000, dtype=int), np.ones(3000, dtype=bool))
+    assert set(held) == set(range(regression.FOLDS))
+    assert min((fold == k).sum() for k in range(regression.FOLDS)) > 100
+
+
 def test_what_is_held_out_is_that_of_fits_to_the_other_folds() -> None:
     one = ladder((1.0, 0.5, 0.2), lambda _: 1.0)
     left = np.empty(SAMPLES)

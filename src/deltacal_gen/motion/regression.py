@@ -45,7 +45,7 @@ def folds_of(time: Array, run: np.ndarray, used: np.ndarray) -> tuple[np.ndarray
         return out, out
     held = out.copy()
     step = np.diff(time)
-    moving = float(step[(step > 0) & used[1:]].sum())
+    moving = float(np.median(step[step > 0]) * used.sum()) if used.any() else 0.0  # clocks jump in between
     length, done = max(STRETCH + 2 * GAP, moving / STRETCHES), 0
     for code in np.unique(run[used]):
         own = np.flatnonzero(used & (run == code))
@@ -202,10 +202,12 @@ class Bench:
         return np.asarray(np.maximum(left.sum(axis=1), 0.0) / n.sum())
 
     def covariance(self, columns: Sequence[int]) -> Array:
-        """Return the inverse of the normal equations of all samples, of coefficients as scaled."""
-        at = np.asarray(columns, dtype=int)
+        """Return the inverse of the normal equations of all samples, of coefficients as scaled.
+
+        Without the ridge that serves predictions best: it is no knowledge of any coefficient.
+        """
         G, _ = self._of(columns, range(len(self.n)))
-        G[np.diag_indices_from(G)] += np.where(at < self.rigid, self.ridge, RIDGES[0]) * self.n.sum()
+        G[np.diag_indices_from(G)] += RIDGES[0] * self.n.sum()
         return np.asarray(np.linalg.pinv(G, hermitian=True))
 
 
