@@ -48,6 +48,25 @@ def test_a_size_that_nearly_buys_enough_is_looked_at_between_those_that_are_sear
     assert near.nearly(chosen, range(FOLDS)) == [2]  # 1.6 % of the rms: a better size may buy the rest
 
 
+def test_no_friction_is_below_zero() -> None:
+    """Less friction while it builds up is none of that name; what grows with the square of the speed may be less."""
+    assert ladder((1.0, 0.5, -0.3, -0.3), lambda _: 1.0).climb(range(FOLDS)) == [0, 1, 3]
+    assert ladder((-1.0, 0.5, 0.3), lambda _: 1.0).climb(range(FOLDS)) == [1, 2]
+
+
+def test_what_bodies_take_up_in_a_fit_and_do_not_foretell_is_of_the_drive() -> None:
+    one = ladder((1.0, 0.5), lambda _: 1.0)
+    fold = np.arange(SAMPLES) * FOLDS // SAMPLES
+    alike = one.X[:, [1]] * (fold[:, None] == np.arange(FOLDS))  # in every run another column does the same
+    X = np.hstack([alike, one.X])
+    at = tuple((FOLDS + c,) for c in range(2))
+    bench = regression.Bench.of(X, one.y, fold, FOLDS)
+    known = dataclasses.replace(one, bench=bench, X=X, at=at, correlated=lambda _: 20.0, counted={})
+    assert known.gain([0, 1], 1, range(FOLDS)) < known.charge(1)
+    assert known.foretells([0, 1], 1, range(FOLDS)) > 3 * known.charge(1)
+    assert known.climb(range(FOLDS)) == [0, 1]
+
+
 def test_what_a_ridge_presumes_is_no_knowledge() -> None:
     rng = np.random.default_rng(5)
     one = rng.standard_normal(SAMPLES)

@@ -141,6 +141,24 @@ class Ladder:
         after = self.bench.train(self.columns([*chosen]), folds)
         return count * float(np.log(before / max(after, 1e-300)))
 
+    def foretells(self, chosen: Sequence[int], rung: int, folds: Sequence[int]) -> float:
+        """Return by how much chi2 falls on folds that fits took no part in, counted as `gain` counts.
+
+        Many base parameters take up in a fit what a rung would explain, and predict no other movement by that.
+        """
+        others = [k for k in chosen if k != rung]
+        count = float(self.bench.n[list(folds)].sum()) / self.together(others)
+        return -2.0 * count * float(np.log1p(-min(self.buys(chosen, rung, folds), 1.0 - 1e-12)))
+
+    def impossible(self, chosen: Sequence[int], folds: Sequence[int]) -> list[int]:
+        """Return the rungs that a fit gives a coefficient below zero, where its effect has none: no drive has that."""
+        columns = self.columns(chosen)
+        found = dict(zip(columns, self.bench.fit(columns, folds), strict=True))
+        signed = {k: [low >= 0 for low, _ in self.rungs[k].kernels.BELIEVABLE] for k in chosen}
+        return [
+            k for k in chosen if any(found[c] < 0 for c, of_one in zip(self.at[k], signed[k], strict=True) if of_one)
+        ]
+
     def charge(self, rung: int) -> float:
         """Return what a rung must earn in chi2."""
         return PER_COEFFICIENT * len(self.at[rung]) + 2 * float(np.log(len(self.rungs)))
@@ -201,23 +219,30 @@ class Ladder:
         for n in np.argsort(errors):
             if np.sqrt(errors[n] / now) > 1.0 - BUYS:
                 return None
-            if self.gain([*chosen, rest[n]], rest[n], folds) > self.charge(rest[n]):
+            more = [*chosen, rest[n]]
+            if rest[n] in self.impossible(more, folds):
+                continue
+            if self.gain(more, rest[n], folds) > self.charge(rest[n]):
                 return rest[n]
         return None
 
     def needed(self, chosen: list[int], folds: Sequence[int]) -> list[int]:
         """Return the rungs without those that the others make needless, the most needless first.
 
-        What drives usually have is begun with, not chosen: it too must earn what it costs.
+        What drives usually have is begun with, not chosen: it too must earn what it costs, in a fit or on the folds
+        that it took no part in.
         """
         while chosen:
-            bought = [self.buys(chosen, k, folds) for k in chosen]
-            least = int(np.argmin(bought))
-            if bought[least] >= BUYS:
-                unpaid = [n for n, k in enumerate(chosen) if self.rungs[k].effect in BEGUN_WITH]
-                earned = {n: self.gain(chosen, chosen[n], folds) - self.charge(chosen[n]) for n in unpaid}
+            bought = {k: self.buys(chosen, k, folds) for k in chosen}
+            least = min(self.impossible(chosen, folds) or chosen, key=bought.__getitem__)
+            if bought[least] >= BUYS and not self.impossible(chosen, folds):
+                unpaid = [k for k in chosen if self.rungs[k].effect in BEGUN_WITH]
+                earned = {k: self._earned(chosen, k, folds) - self.charge(k) for k in unpaid}
                 least = min(earned, key=earned.__getitem__, default=-1)
                 if least < 0 or earned[least] > 0:
                     break
-            chosen = [k for k in chosen if k != chosen[least]]
+            chosen = [k for k in chosen if k != least]
         return chosen
+
+    def _earned(self, chosen: Sequence[int], rung: int, folds: Sequence[int]) -> float:
+        return max(self.gain(chosen, rung, folds), self.foretells(chosen, rung, folds))
