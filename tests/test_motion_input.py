@@ -12,6 +12,7 @@ import pytest
 import deltacal_gen as dc
 from deltacal_gen.errors import InputError
 from deltacal_gen.motion import derivatives, kinds
+from tests.conftest import Run
 from tests.motion_recordings import STEP, robot, trajectory, usual, written
 
 
@@ -103,6 +104,24 @@ def test_of_a_drive_whose_reading_never_changes_nothing_is_said(recorded: Path, 
     assert "it moves, and its reading never changes" in found["next_measurements"][0]["text"]
     known = {p["name"]: p for p in dc.identify(tmp_path / "robot.toml", path)["parameters"]}
     assert all(np.isfinite(p["std"]) for p in known.values())
+
+
+def test_what_is_put_right_is_told_by_every_command(run: Run, recorded: Path, tmp_path: Path) -> None:
+    """Every fifth row twice: those that predict answers are fewer than those it was asked for."""
+    robot_file = tmp_path / "robot.toml"
+    robot_file.write_text((recorded.parent / "robot.toml").read_text())
+    path = changed(recorded, tmp_path, lambda lines: [x for n, x in enumerate(lines) for _ in range(1 + (n % 5 == 4))])
+    result, said = tmp_path / "result.json", f"{path}:6: the time of the row before once more; the row is left out"
+    asked = {
+        "identify": (robot_file, path, "-o", result),
+        "validate": (result, path),
+        "predict": (result, path, "-o", tmp_path / "predicted.csv"),
+    }
+    for command, words in asked.items():
+        code, out, _ = run(command, *words)
+        assert code == 0
+        assert said in " ".join(out.split()), command
+        assert "and 957 more that were put right or left out" in " ".join(out.split())
 
 
 def test_readings_that_all_never_change_are_refused(recorded: Path, tmp_path: Path) -> None:

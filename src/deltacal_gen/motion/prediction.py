@@ -134,6 +134,7 @@ def validated(known: MotionResult | MotionDiagnosis, given: Trajectories) -> Mot
         degrees_of_freedom=count,
         rows=tuple(rows),
         at_rest=int((np.isfinite(given.readings) & ~np.isfinite(done.readings)).sum()),
+        repairs=given.repairs,
     )
 
 

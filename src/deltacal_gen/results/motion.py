@@ -6,7 +6,7 @@ tells them apart.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import Literal
 
 from deltacal_gen.results.base import Answer, Column, Numbers, Value
@@ -15,6 +15,7 @@ from deltacal_gen.results.parts import Made, Missing, RobotTables, Source
 from deltacal_gen.results.result import OpenCombination, Parameter, Read, Regularisation
 from deltacal_gen.results.study import Suspect
 
+TOLD = 3  # repairs that are told line by line
 ByJoint = tuple[float | None, ...]  # null of a joint that does not move in the recording
 
 
@@ -344,6 +345,8 @@ class MotionValidation(Answer):
     """Readings at rest, which took no part."""
     rows: tuple[Worst, ...]
     """The worst first."""
+    repairs: tuple[str, ...] = ()
+    """What was put right in the recording, or left out of it, with its line."""
     made: Made | None = None
 
     @property
@@ -351,6 +354,12 @@ class MotionValidation(Answer):
         """The error, joint by joint."""
         each = zip(self.rms_by_joint, self.unit_by_joint, strict=True)
         return f"{self.readings} readings in motion: rms {by_limb(each)}"
+
+
+def put_right(repairs: Sequence[str]) -> list[str]:
+    """Return in words what was put right in a recording: the first of it, and how much more."""
+    more = len(repairs) - TOLD
+    return [*repairs[:TOLD], *([f"and {more} more that were put right or left out"] if more > 0 else [])]
 
 
 def by_joint(left: Left) -> str:

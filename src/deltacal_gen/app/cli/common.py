@@ -105,10 +105,12 @@ def print_json(answer: Answer | Sequence[Answer]) -> None:
 
 def show_any(found: Any, shown: Callable[[Any], None]) -> None:
     """Print an answer: by its own function, or as text where it is one in motion."""
-    from deltacal_gen.results.motion import MotionModel, MotionValidation
+    from deltacal_gen.results.motion import MotionModel, MotionValidation, put_right
 
     if isinstance(found, MotionModel | MotionValidation):
         screen.print(escaped(str(found)))
+        for words in put_right(found.motion.repairs if isinstance(found, MotionModel) else found.repairs):
+            screen.print(escaped(words))
     else:
         shown(found)
 

@@ -177,9 +177,12 @@ def predict(
     if not isinstance(done, Recording):
         said = f"samples predicted in {output}; at rest, where friction is not known, they are blank"
         if as_json:
-            print_json(Predicted(file=str(output), kind=done.said.measurement.kind, readings=done.n_rows, told=()))
+            kind = done.said.measurement.kind
+            print_json(Predicted(file=str(output), kind=kind, readings=done.n_rows, told=tuple(told)))
         else:
             screen.print(f"{done.n_rows} {said}")
+            for words in told:
+                screen.print(escaped(words))
         return
     rows = done.n_rows if done.pairs is None else len(done.pairs)
     if as_json:

@@ -31,7 +31,7 @@ from deltacal_gen.motion.kinds import columns_of
 from deltacal_gen.physics.ranges import in_words
 from deltacal_gen.results.certificate import Certificate, Party
 from deltacal_gen.results.diagnosis import Diagnosis
-from deltacal_gen.results.motion import MotionModel
+from deltacal_gen.results.motion import MotionModel, put_right
 from deltacal_gen.results.parts import InputFile
 from deltacal_gen.results.reader import Given
 from deltacal_gen.results.result import Result
@@ -263,6 +263,8 @@ def predict(
     if isinstance(known, MotionModel):
         refuse_in_motion(place=place, bands=bands)
         found = _moving(recording).predict(known)
+        for words in put_right(found.repairs):
+            tell(words)
         if output is not None:
             write_files({Path(output): csv_text(columns_of(found))})
         return cast("Recording", found)
