@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
+from scipy import signal
 
 from deltacal_gen.files.robot import read_robot
 from deltacal_gen.machine.registry import mechanism_of
-from deltacal_gen.motion import identification, joint, regression
+from deltacal_gen.motion import identification, joint, regression, unexplained
 from deltacal_gen.motion.derivatives import Motion
 from deltacal_gen.motion.ladder import Ladder
 from deltacal_gen.motion.library import Rung
@@ -118,6 +121,18 @@ def test_samples_that_hang_together_are_counted_within_movements() -> None:
     assert total > 5
     assert regression.together(residual, piece, used, 0.01) == pytest.approx(total, rel=1e-9)
     assert regression.together(np.zeros(1500), piece, used, 0.01) == 1.0
+
+
+def test_noise_that_hangs_together_for_milliseconds_is_noise_at_any_rate() -> None:
+    rng, rough = np.random.default_rng(2), {}
+    noise = signal.lfilter([1.0], [1.0, -np.exp(-1 / 12)], rng.standard_normal(40000))  # over 12 ms, at 1 kHz
+    for every in (1, 2, 5, 10):
+        left, there = noise[::every], rng.random(40000 // every) > 0.2
+        own = SimpleNamespace(rows=np.flatnonzero(there), piece=np.arange(len(left)) // 900, step=0.001 * every)
+        fit: Any = SimpleNamespace(joint=own, left=left[there])
+        rough[every] = unexplained._rough(fit) / np.std(left)
+    assert list(rough.values()) == pytest.approx([rough[10]] * 4, rel=0.06)
+    assert 1 / rough[1] < unexplained.SMOOTH / 2
 
 
 def test_a_joint_that_others_shake_stands() -> None:

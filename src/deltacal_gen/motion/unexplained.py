@@ -21,6 +21,7 @@ WAVES = 8  # hats across the range of a channel
 STAGES = 4  # hats across a session, in what goes with speed as well
 SHOWS = 0.03  # of the held-out rms: what a smooth function of a channel must take away
 SMOOTH = 3.0  # times the part of the rest that changes from sample to sample: what is larger is no noise
+APART = 0.01  # s: nearer to each other samples hang together by how the drive is controlled and read
 ABOVE = 1.15  # times a noise that is declared, or of single samples: more is no noise
 
 
@@ -121,11 +122,17 @@ def _held_out(fit: Fit) -> float:
     return float(np.sqrt(np.mean((known if len(known) else fit.left) ** 2)))
 
 
+def _apart(fit: Fit) -> int:
+    """Return how many samples lie between two that are `APART` from each other; one of a slower recording."""
+    return max(1, round(APART / fit.joint.step))
+
+
 def _rough(fit: Fit) -> float:
-    """Return the noise of single samples, by how much the rest of neighbouring ones differs."""
-    rows, pieces = fit.joint.rows, fit.joint.piece[fit.joint.rows]
-    beside = (np.diff(rows) == 1) & (np.diff(pieces) == 0)
-    steps = np.diff(fit.left)[beside]
+    """Return the noise of single samples, by how much the rest of ones that are `APART` differs."""
+    rows, pieces, apart = fit.joint.rows, fit.joint.piece[fit.joint.rows], _apart(fit)
+    other = np.minimum(np.searchsorted(rows, rows + apart), len(rows) - 1)
+    beside = (rows[other] - rows == apart) & (pieces[other] == pieces)
+    steps = (fit.left[other] - fit.left)[beside]
     return float(np.sqrt(np.mean(steps**2) / 2)) if len(steps) else float("inf")
 
 
@@ -166,8 +173,9 @@ def rest(fit: Fit, sigma: float | None) -> Rest | None:
         text = f"what is left of joint {fit.joint.number} depends on {WORDS[name]}: {100 * share:.0f} % of its rms"
         return Rest(fit.joint.number, name, share, text)
     if (over := _held_out(fit) / max(_rough(fit), 1e-300)) > SMOOTH:
-        text = f"what is left of joint {fit.joint.number} on held-out samples is {over:.3g} times what differs from one"
-        return Rest(fit.joint.number, "", 0.0, f"{text} sample to the next: no noise, and of nothing recorded")
+        text = f"what is left of joint {fit.joint.number} on held-out samples is {over:.3g} times what differs within"
+        within = 1000 * _apart(fit) * fit.joint.step
+        return Rest(fit.joint.number, "", 0.0, f"{text} {within:.3g} ms: no noise, and of nothing recorded")
     if over > ABOVE and (lasts := fit.together * fit.joint.step) > GAP:
         text = f"what is left of joint {fit.joint.number} hangs together over {lasts:.2g} s, longer than noise does"
         return Rest(fit.joint.number, "", 0.0, f"{text}, and depends on nothing recorded")
