@@ -156,6 +156,15 @@ def session(tmp_path_factory: pytest.TempPathFactory) -> Session:
     return Session.of(machine, read(recording, mechanism_of(machine), said))
 
 
+def test_what_foretells_worse_than_nothing_is_said_to(session: Session) -> None:
+    fit = fit_of(session)
+    assert unexplained.rest(fit, None) is None
+    poor = dataclasses.replace(fit, held_out=2.0 * fit.joint.y)
+    found = unexplained.rest(poor, None)
+    assert found is not None
+    assert "of joint 1 is off by 2 times what its drive gives on samples that took no part" in found.text
+
+
 def fit_of(session: Session) -> joint.Fit:
     return joint.fitted(session.joints[0], [Rung("coulomb_friction"), Rung("viscous_friction")])
 

@@ -122,6 +122,11 @@ def _held_out(fit: Fit) -> float:
     return float(np.sqrt(np.mean((known if len(known) else fit.left) ** 2)))
 
 
+def _read(fit: Fit) -> float:
+    """Return the rms of what the drive gave: what is off by more predicts worse than nothing."""
+    return float(np.sqrt(np.mean((fit.joint.y + fit.joint.carried) ** 2)))
+
+
 def _apart(fit: Fit) -> int:
     """Return how many samples lie between two that are `APART` from each other; one of a slower recording."""
     return max(1, round(APART / fit.joint.step))
@@ -167,6 +172,11 @@ def rest(fit: Fit, sigma: float | None) -> Rest | None:
 
     `sigma` is the noise where it is declared, with what the joints' own adds, in units inside.
     """
+    if (over := _held_out(fit) / max(_read(fit), 1e-300)) > 1.0:
+        text = (
+            f"what is found of joint {fit.joint.number} is off by {over:.3g} times what its drive gives on samples that"
+        )
+        return Rest(fit.joint.number, "", 0.0, f"{text} took no part: it moved too little, or too much alike, to tell")
     known = dependences(fit)
     if known and (share := known[0].share) > SHOWS:
         name = known[0].channel
