@@ -165,6 +165,18 @@ def test_what_foretells_worse_than_nothing_is_said_to(session: Session) -> None:
     assert "of joint 1 is off by 2 times what its drive gives on samples that took no part" in found.text
 
 
+def test_what_folds_choose_and_do_not_foretell_is_not_told(session: Session, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Effects may buy something on every fold beside each other, and what the others choose nothing on any of them."""
+    one = session.joints[0]
+    assert joint.climbed(one).rungs
+    plain = joint.fitted(one, [])
+    monkeypatch.setattr(joint, "_apart", lambda joint, _ladder, _others, own: 0.99 * plain.held_out[own])
+    found = joint.climbed(one)
+    assert found.rungs == ()
+    np.testing.assert_array_equal(found.held_out, plain.held_out)
+    assert {each.effect for each in found.passed_over} >= {"coulomb_friction", "viscous_friction"}
+
+
 def fit_of(session: Session) -> joint.Fit:
     return joint.fitted(session.joints[0], [Rung("coulomb_friction"), Rung("viscous_friction")])
 

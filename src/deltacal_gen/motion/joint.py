@@ -13,7 +13,7 @@ import numpy as np
 
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.derivatives import Motion
-from deltacal_gen.motion.ladder import Ladder, LookedAt, columns_of
+from deltacal_gen.motion.ladder import BUYS, Ladder, LookedAt, columns_of
 from deltacal_gen.motion.library import Rung, hats, of_joint, resolution, rungs
 from deltacal_gen.motion.regression import BETWEEN, Bench, folds_of, together
 from deltacal_gen.motion.sizes import settled
@@ -445,7 +445,11 @@ def climbed(joint: Joint) -> Fit:
     for fold in bench.folds:
         others, own = [f for f in bench.folds if f != fold], joint.held == fold
         held_out[own] = _apart(joint, ladder, others, own)
-    ladder, chosen = _climbed_by(joint, ladder, load, bench.folds)
+    plain = fitted(joint, []).held_out
+    if _size(held_out) > (1.0 - BUYS) * _size(plain):  # what others choose does not foretell a fold: nothing is told
+        chosen, held_out = list[int](), plain
+    else:
+        ladder, chosen = _climbed_by(joint, ladder, load, bench.folds)
     chosen.sort(key=lambda k: (candidates[k].effect not in USUAL, candidates[k].effect, candidates[k].constants))
     fit, ladder = _settled(joint, ladder, chosen, held_out)
     if len(needed := ladder.needed(chosen, bench.folds)) < len(
@@ -461,6 +465,12 @@ def climbed(joint: Joint) -> Fit:
         passed_over=ladder.passed_over(chosen, bench.folds),
         first=ladder.first(bench.folds),
     )
+
+
+def _size(residuals: Array) -> float:
+    """Return the rms of those residuals that are known; nothing where none is."""
+    known = residuals[np.isfinite(residuals)]
+    return float(np.sqrt(np.mean(known**2))) if len(known) else 0.0
 
 
 def _settled(joint: Joint, ladder: Ladder, chosen: Sequence[int], held_out: Array) -> tuple[Fit, Ladder]:
