@@ -80,6 +80,27 @@ def test_it_predicts_runs_that_it_has_not_seen(found: tuple[str, Path, Any], tmp
     assert dc.validate(kept, fresh)["rms_by_joint"][2] == pytest.approx(NOISE, rel=0.1)
 
 
+def test_rows_beyond_where_it_was_found_are_told(found: tuple[str, Path, Any], tmp_path: Path) -> None:
+    """Within a recording that it was found in there are none; a joint that goes further has some."""
+    _, path, diagnosis = found
+    assert dc.validate(diagnosis, path)["outside_law"] == 0
+    told: list[str] = []
+    assert not dc.predict(diagnosis, path, tell=told.append).outside.any()
+    assert told == []
+    rows = [line.split(",") for line in path.read_text().splitlines()]
+    wide = [rows[0], *([*row[:4], f"{1.2 * float(row[4]):.6f}", *row[5:]] for row in rows[1:])]
+    other = tmp_path / "wide.csv"
+    other.write_text("\n".join(map(",".join, wide)) + "\n")
+    other.with_suffix(".toml").write_text(path.with_suffix(".toml").read_text())
+    beyond = int(dc.predict(diagnosis, other, tell=told.append).outside.sum())
+    assert 0 < beyond < 1000
+    assert told == [
+        f"{beyond} of 4800 samples lie outside the range in which the law was found: it goes on for half "
+        "of that range and then stays"
+    ]
+    assert dc.validate(diagnosis, other)["outside_law"] == beyond
+
+
 def test_it_is_written_as_the_file_of_an_effect_that_says_the_same(found: tuple[str, Path, Any]) -> None:
     _, _, diagnosis = found
     space: dict[str, Any] = {}

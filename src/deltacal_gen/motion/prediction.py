@@ -16,6 +16,8 @@ from deltacal_gen.motion.library import Rung, of_joint
 from deltacal_gen.motion.payload import torque_of
 from deltacal_gen.motion.rigid import Rigid
 from deltacal_gen.motion.trajectories import Readout, Trajectories
+from deltacal_gen.physics.law import Law
+from deltacal_gen.physics.ranges import ROUNDING
 from deltacal_gen.physics.splines import Samples, smooth
 from deltacal_gen.results.motion import (
     JointModel,
@@ -46,7 +48,7 @@ def predicted(known: MotionModel, given: Trajectories) -> Trajectories:
     payload = known_beforehand(known, rigid, states, given)
     units = tuple(column.rpartition("_")[2] if "_" in column else "1" for column in known.columns)
     done = dataclasses.replace(given, columns=known.columns, units=units)
-    out = np.full(given.joints.shape, np.nan)
+    out, outside = np.full(given.joints.shape, np.nan), np.zeros(given.n_rows, dtype=bool)
     for j, model in models.items():
         late = functools.partial(earlier, delay=model.delay or 0.0, time=given.time, piece=given.piece)
         read = {name: late(values) for name, values in of_joint(given, states, j - 1).items()}
@@ -54,7 +56,20 @@ def predicted(known: MotionModel, given: Trajectories) -> Trajectories:
         value = given_by_drive(model, read, remembered(model, read, given), *own)
         moving = np.abs(late(found.states[1, :, j - 1])) > model.at_rest_below
         out[:, j - 1] = np.where(moving, value / done.readouts[j - 1].inside, np.nan)
-    return dataclasses.replace(done, readings=out)
+        outside |= moving & beyond_laws(model, read | {"torque": load_of(model, *own)})
+    return dataclasses.replace(done, readings=out, outside=outside)
+
+
+def beyond_laws(model: JointModel, states: dict[str, Array]) -> np.ndarray:
+    """Return which samples (N,) lie outside of where a law of a joint was found, by states (N,) of the joint."""
+    out = np.zeros(len(states["q"]), dtype=bool)
+    for term in model.terms:
+        law = Rung(term.effect, term.constants).kernels
+        if isinstance(law, Law):
+            for name, (low, high) in zip(law.STATE, law.ends(term.constants).tolist(), strict=True):
+                width = ROUNDING * (high - low)
+                out |= (states[name] < low - width) | (states[name] > high + width)
+    return out
 
 
 def known_beforehand(known: MotionModel, rigid: Rigid, states: Array, given: Trajectories) -> Array:
@@ -71,6 +86,14 @@ def known_beforehand(known: MotionModel, rigid: Rigid, states: Array, given: Tra
 def remembered(model: JointModel, read: dict[str, Array], given: Trajectories) -> list[dict[str, Array]]:
     """Return what each effect of a joint remembers at all samples, by name (N,); `read` is what effects read."""
     return [Rung(term.effect, term.constants).remembered(read, given.time, given.piece) for term in model.terms]
+
+
+def load_of(model: JointModel, columns: Array, known: Array, readout: Readout) -> Array:
+    """Return what the rigid machine asks of a joint (N,), in units inside; see `given_by_drive`."""
+    load = columns @ np.array(model.coefficients)
+    if readout.forces:
+        return np.asarray(load + known)
+    return np.asarray(load if model.payload is None else load + model.payload * known)
 
 
 def given_by_drive(
@@ -94,11 +117,7 @@ def given_by_drive(
     known : (N,) array
         What is known of what it must give; see `known_beforehand`.
     """
-    load = columns @ np.array(model.coefficients)
-    if readout.forces:
-        load = load + known
-    elif model.payload is not None:
-        load = load + model.payload * known
+    load = load_of(model, columns, known, readout)
     read, total = read | {"torque": load}, load
     for term, own in zip(model.terms, past, strict=True):
         total = total + Rung(term.effect, term.constants).columns(read | own) @ np.array(term.values)
@@ -135,6 +154,7 @@ def validated(known: MotionResult | MotionDiagnosis, given: Trajectories) -> Mot
         rows=tuple(rows),
         at_rest=int((np.isfinite(given.readings) & ~np.isfinite(done.readings)).sum()),
         repairs=given.repairs,
+        outside_law=int(done.outside.sum()) if known.has_law else None,
     )
 
 

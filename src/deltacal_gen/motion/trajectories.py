@@ -8,7 +8,7 @@ from __future__ import annotations
 import dataclasses
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
@@ -126,6 +126,8 @@ class Trajectories:
         What each joint gets of an ampere [Nm/A], a sliding one [N/A].
     setups : tuple of str
         Label of each row, of what the machine carries or where it stands; empty where the file has none.
+    outside : (N,) array of bool
+        Of predicted readings: which lie outside of where a law was found; empty of those that were read.
     """
 
     path: Path | str
@@ -146,6 +148,7 @@ class Trajectories:
     repaired: tuple[int, ...] = ()
     constants: tuple[float, ...] | None = None
     setups: tuple[str, ...] = ()
+    outside: np.ndarray = field(default_factory=lambda: np.zeros(0, dtype=bool))
 
     pairs: ClassVar[None] = None  # what only readings between rows have, for those who look at either
 

@@ -200,6 +200,11 @@ class MotionModel(Answer):
     """Lines of the recording in which something was put right or left out: `motion.repairs` says what."""
     made: Made | None = None
 
+    @property
+    def has_law(self) -> bool:
+        """Whether a joint has a law that nobody has registered."""
+        return False
+
 
 class Consistent(Value):
     """An inertial parameter of bodies that could be built: positive masses, positive definite inertias; as it is."""
@@ -306,6 +311,11 @@ class MotionDiagnosis(MotionModel):
     """At most one: of every joint that has one a term or more, each at its joint."""
 
     @property
+    def has_law(self) -> bool:
+        """Whether a joint has a law that nobody has registered."""
+        return bool(self.laws)
+
+    @property
     def headline(self) -> str:
         """Verdict and summary."""
         return f"{self.verdict.replace('_', ' ')}: {self.summary}"
@@ -347,6 +357,8 @@ class MotionValidation(Answer):
     """The worst first."""
     repairs: tuple[str, ...] = ()
     """What was put right in the recording, or left out of it, with its line."""
+    outside_law: int | None = None
+    """Samples outside of the range in which a law was found; null where there is none."""
     made: Made | None = None
 
     @property

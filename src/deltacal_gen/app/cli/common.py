@@ -109,6 +109,8 @@ def show_any(found: Any, shown: Callable[[Any], None]) -> None:
 
     if isinstance(found, MotionModel | MotionValidation):
         screen.print(escaped(str(found)))
+        if isinstance(found, MotionValidation) and found.outside_law:
+            screen.print(f"{found.outside_law} samples lie outside the range in which the law was found")
         for words in put_right(found.motion.repairs if isinstance(found, MotionModel) else found.repairs):
             screen.print(escaped(words))
     else:

@@ -263,8 +263,9 @@ def predict(
     if isinstance(known, MotionModel):
         refuse_in_motion(place=place, bands=bands)
         found = _moving(recording).predict(known)
-        for words in put_right(found.repairs):
-            tell(words)
+        for words in (*put_right(found.repairs), in_words(found.outside, "samples")):
+            if words is not None:
+                tell(words)
         if output is not None:
             write_files({Path(output): csv_text(columns_of(found))})
         return cast("Recording", found)
