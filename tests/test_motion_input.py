@@ -13,7 +13,7 @@ import deltacal_gen as dc
 from deltacal_gen.errors import InputError
 from deltacal_gen.motion import derivatives, kinds
 from tests.conftest import Run
-from tests.motion_recordings import STEP, robot, trajectory, usual, written
+from tests.motion_recordings import STEP, named, robot, trajectory, usual, written
 
 
 @pytest.fixture(scope="module")
@@ -122,6 +122,22 @@ def test_what_is_put_right_is_told_by_every_command(run: Run, recorded: Path, tm
         assert code == 0
         assert said in " ".join(out.split()), command
         assert "and 957 more that were put right or left out" in " ".join(out.split())
+
+
+def test_a_reading_that_is_counted_against_its_angle_is_told(recorded: Path, tmp_path: Path) -> None:
+    """Motors are mounted either way: of currents that is one more unknown, and nothing is predicted worse."""
+    (tmp_path / "robot.toml").write_text((recorded.parent / "robot.toml").read_text())
+    turn = of_column(5, lambda torque: -torque)
+    path = changed(recorded, tmp_path, lambda lines: [lines[0].replace("tau", "drive").replace("_Nm", ""), *lines[1:]])
+    plain = dc.diagnose(tmp_path / "robot.toml", path)
+    found = dc.diagnose(tmp_path / "robot.toml", changed(path, tmp_path, turn))
+    assert "Friction would drive joint 1: its reading is counted against its angle." in found["summary"]
+    assert "would drive" not in plain["summary"]
+    assert (found["verdict"], named(found)) == (plain["verdict"], named(plain))
+    held = found["final"]["heldout_rms_by_joint"]
+    assert held == pytest.approx(plain["final"]["heldout_rms_by_joint"], rel=1e-3)
+    doubts = dc.identify(tmp_path / "robot.toml", path)["doubts"]
+    assert any("friction would drive joint 1: the reading is counted against the angle" in doubt for doubt in doubts)
 
 
 def test_readings_that_all_never_change_are_refused(recorded: Path, tmp_path: Path) -> None:

@@ -369,6 +369,8 @@ def _summary(
         parts.append(f"Not explained: {'; '.join(r.text for r in rests)}.")
     if not named and not laws and not rests:
         parts.append("The rigid machine explains what the drives give.")
+    if turned := [str(fit.joint.number) for fit in fits if fit.joint.sense < 0]:
+        parts.append(f"Friction would drive joint {', '.join(turned)}: its reading is counted against its angle.")
     if still:
         parts.append(f"Joint {still} moves too little to say anything.")
     if silent:

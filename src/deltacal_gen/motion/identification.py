@@ -76,6 +76,11 @@ def identify(robot: Robot, given: Trajectories, model: str | None = None) -> Mot
 
 def _doubts(fits: Sequence[Fit]) -> Iterator[str]:
     """Yield the joints whose drives gave something else than what the rigid machine asks for."""
+    if turned := [str(fit.joint.number) for fit in fits if fit.joint.sense < 0]:
+        yield (
+            f"friction would drive joint{'s' * (len(turned) > 1)} {', '.join(turned)}: the reading is counted against "
+            "the angle; turn the sign of its column"
+        )
     little = [
         str(fit.joint.number)
         for fit in fits

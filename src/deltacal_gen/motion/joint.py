@@ -28,6 +28,7 @@ AT_REST = 0.01  # of a joint's highest speeds: below it friction is not known; o
 NOISY_SPEED = 5.0  # standard deviations of a velocity: nor is its sign
 USUAL = ("coulomb_friction", "viscous_friction", "torque_offset")  # what every drive has, to begin with
 HIGHEST = 0.99  # quantile of speeds that is meant by highest
+TURNED = 30.0  # of chi2: what friction that drives a joint must earn, so that its reading counts as turned round
 FEW = 100  # samples: a joint with fewer in motion is not looked at
 TRIED = 5  # sizes that are tried around the one found, before it is fitted
 REFINED = (1.6, 1.12)  # factors either way: half of what lies between two sizes that are searched, then between these
@@ -103,6 +104,21 @@ class Joint:
     def silent(self) -> bool:
         """Whether its reading never changes: no drive that moves a joint gives that."""
         return len(self.rows) > 0 and float(np.ptp(self.series.y[self.rows])) == 0.0
+
+    @cached_property
+    def sense(self) -> float:
+        """-1 where dry and viscous friction would drive the joint: its reading is counted against its angle; else 1."""
+        some = [Rung(name) for name in USUAL]
+        X, rigid = self.columns(some, self.carried), self.X.shape[1]
+        bench = Bench.of(X, self.y, self.fold, rigid)
+        every, own = range(X.shape[1]), slice(rigid, rigid + 2)
+        bench = bench.with_ridge(every)
+        found = bench.fit(every, range(len(bench.n))) / bench.scale
+        if (X[:, own] @ found[own]) @ self.states["qd"] >= 0:
+            return 1.0
+        before, after = (bench.train(c, bench.folds) for c in ([*range(rigid), every[-1]], every))
+        count = len(self.y) / self.correlated(self.y - X @ found)
+        return -1.0 if count * float(np.log(before / max(after, 1e-300))) > TURNED else 1.0
 
     @cached_property
     def candidates(self) -> tuple[Rung, ...]:
@@ -440,7 +456,8 @@ def climbed(joint: Joint) -> Fit:
     X = np.asfortranarray(np.hstack([X, hats(joint.states["q"], SMOOTH)]))  # what is read is some columns
     bench = Bench.of(X, joint.y, joint.fold, rigid)
     rival = tuple(range(width, X.shape[1]))
-    ladder = Ladder(bench, candidates, at, X, joint.y, joint.correlated, rival, resolution(joint.states))
+    resolved = resolution(joint.states)
+    ladder = Ladder(bench, candidates, at, X, joint.y, joint.correlated, rival, resolved, sense=joint.sense)
     held_out = np.full(len(joint.y), np.nan)
     for fold in bench.folds:
         others, own = [f for f in bench.folds if f != fold], joint.held == fold

@@ -73,6 +73,8 @@ class Ladder:
         Columns of a smooth function of the joint's position: what is no better than that is no periodic effect.
     resolution : float
         Periods per turn by which two waves differ that the joint's motion tells apart.
+    sense : float
+        -1 where readings are counted against the joint's angle: so are coefficients then.
     counted : dict
         What `correlated` said of fits of some rungs.
     """
@@ -85,6 +87,7 @@ class Ladder:
     correlated: Callable[[Array], float]
     rival: tuple[int, ...] = ()
     resolution: float = 1.0
+    sense: float = 1.0
     counted: dict[frozenset[int], float] = field(default_factory=dict)
 
     def columns(self, chosen: Sequence[int]) -> list[int]:
@@ -156,7 +159,9 @@ class Ladder:
         found = dict(zip(columns, self.bench.fit(columns, folds), strict=True))
         signed = {k: [low >= 0 for low, _ in self.rungs[k].kernels.BELIEVABLE] for k in chosen}
         return [
-            k for k in chosen if any(found[c] < 0 for c, of_one in zip(self.at[k], signed[k], strict=True) if of_one)
+            k
+            for k in chosen
+            if any(self.sense * found[c] < 0 for c, of_one in zip(self.at[k], signed[k], strict=True) if of_one)
         ]
 
     def charge(self, rung: int) -> float:
