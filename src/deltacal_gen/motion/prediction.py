@@ -17,7 +17,6 @@ from deltacal_gen.motion.payload import torque_of
 from deltacal_gen.motion.rigid import Rigid
 from deltacal_gen.motion.trajectories import Readout, Trajectories
 from deltacal_gen.physics.law import Law
-from deltacal_gen.physics.ranges import ROUNDING
 from deltacal_gen.physics.splines import Samples, smooth
 from deltacal_gen.results.motion import (
     JointModel,
@@ -65,10 +64,8 @@ def beyond_laws(model: JointModel, states: dict[str, Array]) -> np.ndarray:
     out = np.zeros(len(states["q"]), dtype=bool)
     for term in model.terms:
         law = Rung(term.effect, term.constants).kernels
-        if isinstance(law, Law):
-            for name, (low, high) in zip(law.STATE, law.ends(term.constants).tolist(), strict=True):
-                width = ROUNDING * (high - low)
-                out |= (states[name] < low - width) | (states[name] > high + width)
+        if isinstance(law, Law) and law.STATE:
+            out |= law.beyond(np.stack([states[name] for name in law.STATE], axis=1), term.constants).any(axis=1)
     return out
 
 
