@@ -172,6 +172,12 @@ def test_what_cannot_be_used_is_refused_with_its_place(recorded: Path, tmp_path:
     assert words in str(error.value)
 
 
+def test_a_time_in_milliseconds_is_refused(recorded: Path, tmp_path: Path) -> None:
+    given = read(changed(recorded, tmp_path, of_column(1, lambda t: 1000 * t)))
+    with pytest.raises(InputError, match=r"samples lie 10 s apart.*Give time_s in seconds"):
+        derivatives.motion(given)
+
+
 def test_derivatives_said_to_be_recorded_must_be_there(recorded: Path, tmp_path: Path) -> None:
     with pytest.raises(InputError, match="'qd1_deg_s': the sidecar says derivatives = \"recorded\""):
         read(changed(recorded, tmp_path, list, '[motion]\nderivatives = "recorded"\n'))

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from deltacal_gen.errors import InputError
 from deltacal_gen.motion.trajectories import Trajectories
 from deltacal_gen.physics import splines
 from deltacal_gen.physics.splines import DEGREE, Samples
@@ -16,6 +17,7 @@ from deltacal_gen.units import of_joints
 if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Array
 
+SLOWEST = 1.0  # s between samples of which derivatives are made: it is mostly a time in milliseconds
 LOOSE = 2.0  # knots: nearer to an end, the noise of an acceleration is up to fifty times that in the middle
 
 
@@ -48,13 +50,26 @@ class Motion:
 
 
 def motion(given: Trajectories, cutoff: float | None = None) -> Motion:
-    """Return joints with their derivatives; `cutoff` [Hz] where it is known already."""
+    """Return joints with their derivatives; `cutoff` [Hz] where it is known already.
+
+    Raises
+    ------
+    InputError
+        Samples lie so far apart that no motion is seen between them.
+    """
     said = given.said.motion.derivatives
     if said == "recorded":
         states = np.stack([given.joints, *given.recorded])
         loose = np.zeros(len(given.time), dtype=bool)
         return Motion(
             states, np.zeros((2, states.shape[2])), loose, None, 0.0, "velocities and accelerations as recorded"
+        )
+    if given.step >= SLOWEST:
+        raise InputError(
+            f"samples lie {given.step:g} s apart: what joints do in between is not seen.",
+            "Give time_s in seconds; or record speeds and accelerations and say so under [motion].",
+            file=given.path,
+            column="time_s",
         )
     base, order = (given.joints, 0) if said is None else (given.recorded[0], 1)
     samples, units = Samples(base, given.time, given.piece), of_joints(given.joint_unit, base.shape[1])
