@@ -172,6 +172,16 @@ def test_what_cannot_be_used_is_refused_with_its_place(recorded: Path, tmp_path:
     assert words in str(error.value)
 
 
+def test_noise_that_is_much_is_said(tmp_path: Path) -> None:
+    """Little that is left, or much: either is adequate where it depends on nothing."""
+    rng = np.random.default_rng(7)
+    for noise, said in ((0.0, False), (40.0, True)):
+        path = written(tmp_path, lambda s, load, noise=noise: noise * rng.standard_normal(load.shape))
+        found = dc.diagnose(tmp_path / "robot.toml", path)
+        assert found["verdict"] == "adequate"
+        assert ("What is left looks like noise, and is much:" in found["summary"]) == said
+
+
 def test_a_time_in_milliseconds_is_refused(recorded: Path, tmp_path: Path) -> None:
     given = read(changed(recorded, tmp_path, of_column(1, lambda t: 1000 * t)))
     with pytest.raises(InputError, match=r"samples lie 10 s apart.*Give time_s in seconds"):

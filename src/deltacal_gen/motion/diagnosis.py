@@ -20,7 +20,7 @@ from deltacal_gen.motion.session import Session, still_to_move, untold
 from deltacal_gen.motion.told import told
 from deltacal_gen.motion.traces import traces
 from deltacal_gen.motion.trajectories import INSIDE, Trajectories
-from deltacal_gen.motion.unexplained import Rest, dependences, rest
+from deltacal_gen.motion.unexplained import Rest, dependences, rest, share_left
 from deltacal_gen.physics.law import is_law
 from deltacal_gen.physics.terms import drive_effect_names, load_effect
 from deltacal_gen.results.diagnosis import (
@@ -48,6 +48,7 @@ if TYPE_CHECKING:
     from deltacal_gen.physics.terms import Kernels
 
 Progress = Callable[[str], None]
+MUCH = 0.1  # of what a drive gives: so much noise is said
 LAW = "law"  # in a ladder: what nobody has registered, all terms together
 VARIED = {  # what must differ more, for effects to be told apart that read a state
     "qd": "speeds, from creeping to the fastest",
@@ -369,6 +370,10 @@ def _summary(
         parts.append(f"Not explained: {'; '.join(r.text for r in rests)}.")
     if not named and not laws and not rests:
         parts.append("The rigid machine explains what the drives give.")
+        much = [(fit.joint.number, share) for fit in fits if (share := share_left(fit)) > MUCH]
+        if much:
+            shares = ", ".join(f"{100 * share:.0f} % of what joint {joint} gives" for joint, share in much)
+            parts.append(f"What is left looks like noise, and is much: {shares}.")
     if turned := [str(fit.joint.number) for fit in fits if fit.joint.sense < 0]:
         parts.append(f"Friction would drive joint {', '.join(turned)}: its reading is counted against its angle.")
     if still:

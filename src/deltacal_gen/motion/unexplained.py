@@ -122,9 +122,9 @@ def _held_out(fit: Fit) -> float:
     return float(np.sqrt(np.mean((known if len(known) else fit.left) ** 2)))
 
 
-def _read(fit: Fit) -> float:
-    """Return the rms of what the drive gave: what is off by more predicts worse than nothing."""
-    return float(np.sqrt(np.mean((fit.joint.y + fit.joint.carried) ** 2)))
+def share_left(fit: Fit) -> float:
+    """Return which part of what the drive gave (rms) is left on held-out samples: above 1 nothing predicts better."""
+    return _held_out(fit) / max(float(np.sqrt(np.mean((fit.joint.y + fit.joint.carried) ** 2))), 1e-300)
 
 
 def _apart(fit: Fit) -> int:
@@ -172,7 +172,7 @@ def rest(fit: Fit, sigma: float | None) -> Rest | None:
 
     `sigma` is the noise where it is declared, with what the joints' own adds, in units inside.
     """
-    if (over := _held_out(fit) / max(_read(fit), 1e-300)) > 1.0:
+    if (over := share_left(fit)) > 1.0:
         text = (
             f"what is found of joint {fit.joint.number} is off by {over:.3g} times what its drive gives on samples that"
         )
