@@ -86,14 +86,14 @@ def test_noise_gives_no_hint_and_no_name() -> None:
 def test_both_errors_are_as_often_as_stated(size: float) -> None:
     rng, n, shift = np.random.default_rng(3), 4000, np.sqrt(size)
     ratios = {there: 2 * shift * (there * shift + rng.standard_normal(n)) - size for there in (0, 1)}  # on one reading
-    stated = Evidence(1.0, size).wrong
+    stated = Evidence(1.0, size, size).wrong
     tolerance = 3 * np.sqrt(stated / n) + 1e-3
     assert np.mean(ratios[0] > 0) == pytest.approx(stated, abs=tolerance)
     assert np.mean(ratios[1] <= 0) == pytest.approx(stated, abs=tolerance)
-    assert Evidence(1.0, size).speaks == (stated <= MOST_WRONG)
-    assert not Evidence(-1.0, size).speaks
-    assert [Evidence(k * 2 * np.sqrt(size), size).denies for k in (-1.1, -0.9, 1.0)] == [True, False, False]
-    short = [Evidence(size - k * 2 * np.sqrt(size), size).falls_short for k in (3.1, 2.9)]
+    assert Evidence(1.0, size, size).speaks == (stated <= MOST_WRONG)
+    assert not Evidence(-1.0, size, size).speaks
+    assert [Evidence(k * 2 * np.sqrt(size), size, size).denies for k in (-1.1, -0.9, 1.0)] == [True, False, False]
+    short = [Evidence(size - k * 2 * np.sqrt(size), size, size).falls_short for k in (3.1, 2.9)]
     assert short == [True, size < 16]  # where the effects are small: farther off by what the ratio scatters
 
 

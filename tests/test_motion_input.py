@@ -120,7 +120,7 @@ def test_what_is_put_right_is_told_by_every_command(run: Run, recorded: Path, tm
     for command, words in asked.items():
         code, out, _ = run(command, *words)
         assert code == 0
-        assert said in " ".join(out.split()), command
+        assert "".join(said.split()) in "".join(out.split()), command  # long paths are broken anywhere
         assert "and 957 more that were put right or left out" in " ".join(out.split())
 
 

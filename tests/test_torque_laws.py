@@ -96,7 +96,7 @@ def test_rows_beyond_where_it_was_found_are_told(found: tuple[str, Path, Any], t
     assert 0 < beyond < 1000
     assert told == [
         f"{beyond} of 4800 samples lie outside the range in which the law was found: it goes on for half "
-        "of that range and then stays"
+        "of that range, by no more than it varied within, and then stays"
     ]
     assert dc.validate(diagnosis, other)["outside_law"] == beyond
 

@@ -30,11 +30,15 @@ class Evidence:
     ratio : float
         Twice the logarithm of the likelihood ratio.
     size : float
-        What it is on average where the effects hold.
+        What it is on average where the effects hold, by squares.
+    expected : float
+        The same by Huber's function, of readings as far off as they are with the effects, to either side: of effects
+        that move readings by many standard deviations it is far less.
     """
 
     ratio: float
     size: float
+    expected: float
 
     @property
     def wrong(self) -> float:
@@ -59,14 +63,16 @@ class Evidence:
 
         What only stands for something else, or was chosen of very many, moves readings by more than they bear out.
         """
-        return self.denies or self.ratio < self.size - FAR * 2 * float(np.sqrt(self.size))
+        return self.denies or self.ratio < self.expected - FAR * 2 * float(np.sqrt(max(self.expected, 0.0)))
 
 
 def evidence(at: Fit, before: Array, after: Array) -> Evidence:
     """Return what held-out errors (R, k) [mm, rad] without effects and with them say, as a fit counts readings."""
     seen = np.isfinite(before) & np.isfinite(after)
     without, with_them = (_whitened(at, np.where(seen, e, 0.0)) for e in (before, after))
-    return Evidence(float((_huber(without) - _huber(with_them)).sum()), float(((without - with_them) ** 2).sum()))
+    ratio, moved = float((_huber(without) - _huber(with_them)).sum()), without - with_them
+    either = (_huber(with_them + moved) + _huber(with_them - moved)) / 2 - _huber(with_them)
+    return Evidence(ratio, float((moved**2).sum()), float(either.sum()))
 
 
 def _whitened(at: Fit, errors: Array) -> Array:

@@ -26,6 +26,7 @@ ASIDE = 0.02  # standard deviations beforehand: how far beside a fit its gradien
 LINEAR = 0.02  # of a gradient's change: where less of it is not the linear machine's, nothing is asked further
 LOOKS = 8  # directions that are looked at
 DOWN = -0.05  # in units of the prior's own: a curvature that is below it leads away
+GOLDEN = (5**0.5 - 1) / 2  # parts of one that its multiples leave are spread evenly
 BEGUN = 0.5  # standard deviations beforehand: where steps begin
 
 
@@ -37,7 +38,7 @@ def away(found: Fit) -> list[State]:
     def unseen(z: Array) -> Array:
         return np.asarray(z - strong @ (strong.T @ z))
 
-    v = unseen(np.cos(np.square(np.arange(1.0, 1.0 + n))))  # some of every direction
+    v = unseen(np.mod(GOLDEN * np.arange(1.0, 1.0 + n), 1.0) - 0.5)  # some of every direction
     if np.linalg.norm(v) < ASIDE:
         return []
     try:
