@@ -45,7 +45,7 @@ def folds_of(time: Array, run: np.ndarray, used: np.ndarray) -> tuple[np.ndarray
         return out, out
     held = out.copy()
     step = np.diff(time)
-    moving = float(np.median(step[step > 0]) * used.sum()) if used.any() else 0.0  # clocks jump in between
+    moving = float(np.minimum(step[(step > 0) & used[1:]], STRETCH).sum())  # clocks jump in between
     length, done = max(STRETCH + 2 * GAP, moving / STRETCHES), 0
     for code in np.unique(run[used]):
         own = np.flatnonzero(used & (run == code))
