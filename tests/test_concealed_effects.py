@@ -16,8 +16,9 @@ import pytest
 
 import deltacal_gen as dc
 from deltacal_gen.diagnosis import strategy
+from deltacal_gen.diagnosis.refits import refitted
 from deltacal_gen.diagnosis.search import Found, Search
-from deltacal_gen.diagnosis.strategy import _first, _refused, _wider, refitted
+from deltacal_gen.diagnosis.strategy import _first, _refused, _wider
 from deltacal_gen.estimation.fit import rough
 from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.files.robot import Robot, robot_from_dict

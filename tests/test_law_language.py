@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from deltacal_gen.diagnosis.strategy import refitted
+from deltacal_gen.diagnosis.refits import refitted
 from deltacal_gen.estimation.fit import fit, rough
 from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.estimation.solvers import Prior

@@ -13,7 +13,7 @@ from deltacal_gen.diagnosis.laws.remainder import with_remainder
 from deltacal_gen.diagnosis.laws.screen import price
 from deltacal_gen.diagnosis.laws.search import placed
 from deltacal_gen.diagnosis.laws.shape import _runs_away, shaped
-from deltacal_gen.diagnosis.strategy import refitted
+from deltacal_gen.diagnosis.refits import refitted
 from deltacal_gen.estimation.fit import Fit, fit
 from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.estimation.residuals import rms

@@ -12,7 +12,7 @@ import pytest
 from deltacal_gen.diagnosis.laws import laws as of
 from deltacal_gen.diagnosis.laws.ground import Tried
 from deltacal_gen.diagnosis.laws.search import Grown
-from deltacal_gen.diagnosis.strategy import refitted, terms_of
+from deltacal_gen.diagnosis.refits import refitted, terms_of
 from deltacal_gen.estimation.fit import Fit, rough
 from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.machine.backend import Backend, using

@@ -9,8 +9,8 @@ import pytest
 from test_serial import robot
 
 from deltacal_gen.diagnosis.library import library
+from deltacal_gen.diagnosis.refits import refitted, terms_of
 from deltacal_gen.diagnosis.search import Search
-from deltacal_gen.diagnosis.strategy import refitted, terms_of
 from deltacal_gen.estimation.fit import Fit, fit
 from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.estimation.solvers import Prior

@@ -11,8 +11,9 @@ from deltacal_gen.diagnosis.beside import Beside
 from deltacal_gen.diagnosis.components import Components, of_noise, with_fitted
 from deltacal_gen.diagnosis.diagnosis import _first, _geometry
 from deltacal_gen.diagnosis.library import library
+from deltacal_gen.diagnosis.refits import refitted, terms_of
 from deltacal_gen.diagnosis.search import Search
-from deltacal_gen.diagnosis.strategy import _exchanged, refitted, terms_of
+from deltacal_gen.diagnosis.strategy import _exchanged
 from deltacal_gen.estimation.fit import Fit, fit
 from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.estimation.solvers import Prior

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from deltacal_gen.diagnosis.diagnosis import diagnose
-from deltacal_gen.diagnosis.strategy import refitted
+from deltacal_gen.diagnosis.refits import refitted
 from deltacal_gen.estimation.fit import fit
 from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.estimation.series import FADES, OWN, OWN_PRICE, Series, Taken

@@ -10,8 +10,8 @@ from test_serial import robot
 
 from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.diagnosis.library import library
+from deltacal_gen.diagnosis.refits import form, refitted, terms_of
 from deltacal_gen.diagnosis.search import Search
-from deltacal_gen.diagnosis.strategy import form, refitted, terms_of
 from deltacal_gen.diagnosis.unnamed import likely, shifts
 from deltacal_gen.estimation.fit import fit
 from deltacal_gen.estimation.problem import Problem, pose_problem

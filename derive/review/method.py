@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from deltacal_gen.diagnosis import correction, search, spectrum
+from deltacal_gen.diagnosis import charges, correction, spectrum
 from deltacal_gen.estimation import fit, residuals, solvers
 from deltacal_gen.instrument.kinds import kind_of
 from derive.measurements import gauge
@@ -207,13 +207,13 @@ def _search_steps() -> list[Step]:
     root /= np.linalg.norm(root, axis=0)
     left = rng.standard_normal(6)
     taken = float(left @ left - np.sum((left - root @ np.linalg.lstsq(root, left, rcond=None)[0]) ** 2))
-    gains = float(search.gains((root.T @ root)[None], (root.T @ left)[None])[0])
-    level = search.quantile(1, 50)
+    gains = float(charges.gains((root.T @ root)[None], (root.T @ left)[None])[0])
+    level = charges.quantile(1, 50)
     return [
         Step(
             "Gain of a candidate",
             law("What columns take from chi2, geometry's and the instrument's share projected out before: G of their "
-                "normal equations, b of what is left.", (gain, (v.T * G.I * v)), ends=[search.gains]),
+                "normal equations, b of what is left.", (gain, (v.T * G.I * v)), ends=[charges.gains]),
             abs(gains - taken),
             "tests/test_discrimination.py::test_expected_gains_are_those_of_fitting_anew",
         ),
@@ -221,8 +221,8 @@ def _search_steps() -> list[Step]:
             "Charge of a search",
             law("The largest of so many forms exceeds x by chance no more often than their number times the tail of "
                 "one; the charge is the x at which that is the chance allowed.", (chance, forms * tail),
-                place=of_function(search.charge), ends=[search.quantile]),
-            abs(float((50 * tail).subs(x, level)) - search.CHANCE),
+                place=of_function(charges.charge), ends=[charges.quantile]),
+            abs(float((50 * tail).subs(x, level)) - charges.CHANCE),
             "tests/test_derivation.py::test_the_method_is_what_the_runtime_computes",
         ),
     ]  # fmt: skip

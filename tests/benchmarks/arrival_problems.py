@@ -16,7 +16,7 @@ import numpy as np
 
 from deltacal_gen.diagnosis.correction import Smooth, displaced
 from deltacal_gen.diagnosis.library import library
-from deltacal_gen.diagnosis.strategy import refitted, terms_of
+from deltacal_gen.diagnosis.refits import refitted, terms_of
 from deltacal_gen.errors import DeltacalError
 from deltacal_gen.estimation.fit import CONVERGED, Fit, fit
 from deltacal_gen.estimation.prior import BROAD

@@ -32,7 +32,7 @@ from rich.table import Table
 
 from deltacal_gen.diagnosis.beside import Beside
 from deltacal_gen.diagnosis.diagnosis import Diagnosed, diagnose
-from deltacal_gen.diagnosis.strategy import terms_of
+from deltacal_gen.diagnosis.refits import terms_of
 from deltacal_gen.errors import DeltacalError
 from deltacal_gen.estimation.fit import Fit, fit, rough
 from deltacal_gen.estimation.problem import Problem, pose_problem

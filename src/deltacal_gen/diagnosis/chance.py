@@ -15,7 +15,8 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from deltacal_gen.diagnosis.search import SMALLEST, UNSEEN, Search, charge, places
+from deltacal_gen.diagnosis.charges import SMALLEST, UNSEEN, charge, places
+from deltacal_gen.diagnosis.search import Search
 from deltacal_gen.identification.rounding import TOLD, moved_by_steps
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.terms import Term, blank

@@ -27,22 +27,19 @@ from deltacal_gen.diagnosis.hints import hinted, outweighed, told
 from deltacal_gen.diagnosis.laws.laws import Lawful, Sought, laws
 from deltacal_gen.diagnosis.laws.remainder import with_remainder
 from deltacal_gen.diagnosis.library import library
+from deltacal_gen.diagnosis.refits import believable, form, refitted, terms_of
 from deltacal_gen.diagnosis.search import Search
 from deltacal_gen.diagnosis.spectrum import LEAST_TURN, Spectrum, periodic, wave
 from deltacal_gen.diagnosis.strategy import (
     MARGIN,
     Outcome,
     Progress,
-    believable,
     beside_noise,
     borne_out,
     deviance,
-    form,
     held_out_by,
-    refitted,
     searched,
     settled,
-    terms_of,
 )
 from deltacal_gen.diagnosis.structure import Structure, structures
 from deltacal_gen.diagnosis.wandering import following_walks

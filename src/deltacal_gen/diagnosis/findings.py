@@ -10,10 +10,11 @@ import numpy as np
 
 from deltacal_gen.diagnosis.chance import Chance
 from deltacal_gen.diagnosis.library import unseen
+from deltacal_gen.diagnosis.refits import form, terms_of
 from deltacal_gen.diagnosis.scattering import scattering
 from deltacal_gen.diagnosis.search import Found, Search
 from deltacal_gen.diagnosis.spectrum import Spectrum, wave
-from deltacal_gen.diagnosis.strategy import ALIKE, MARGIN, form, terms_of
+from deltacal_gen.diagnosis.strategy import ALIKE, MARGIN
 from deltacal_gen.diagnosis.structure import Region, Structure, alike
 from deltacal_gen.diagnosis.unnamed import shifts
 from deltacal_gen.estimation.fit import Fit

@@ -6,8 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from deltacal_gen.diagnosis.chance import Chance
+from deltacal_gen.diagnosis.refits import terms_of
 from deltacal_gen.diagnosis.search import Found, Search
-from deltacal_gen.diagnosis.strategy import MARGIN, MOST_EFFECTS, terms_of
+from deltacal_gen.diagnosis.strategy import MARGIN, MOST_EFFECTS
 from deltacal_gen.physics.terms import Term
 from deltacal_gen.results.diagnosis import Hint
 

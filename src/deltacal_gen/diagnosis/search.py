@@ -11,15 +11,13 @@ from __future__ import annotations
 
 import copy
 import dataclasses
-import itertools
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cache
-from typing import TypeVar
 
 import numpy as np
 
 from deltacal_gen.diagnosis.beside import Beside
+from deltacal_gen.diagnosis.charges import SMALLEST, UNSEEN, best_part, carriers_of, charge, gains, key, places, several
 from deltacal_gen.diagnosis.library import SIZE_STEP
 from deltacal_gen.estimation.fit import Fit
 from deltacal_gen.estimation.problem import ROUNDING, Problem
@@ -27,16 +25,10 @@ from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.terms import (
     Beyond,
-    Constant,
     Term,
     beyond,
-    load_effect,
-    without_rows,
 )
 
-CHANCE = 5e-4  # that noise alone earns a form, or a limb, its charge
-MOST_SETS, MOST_FORMS = 6, 3  # limbs of which all sets are looked at; forms of an effect on more that are
-UNSEEN = 1e-6  # part of a column's square beside the base: less is a combination of what is fitted
 GOLDEN = 0.5 * (5**0.5 - 1)  # of the golden section by which a size is then sought
 REFINEMENTS = 12  # of it: to 0.3 % of the step
 REFINED = 0.5  # of chi2: a size that explains less more is as good as the one that is there
@@ -44,8 +36,6 @@ NEAR_BEST = 0.95  # of the best score: what earns less is not the best by a size
 ASIDE = 0.1  # by how much of itself a size is moved to see how sharply it is known
 SCATTERED = ("moments", "orders")  # constants of which only some values are searched
 HARDLY = 1e-6  # of the likelihood: forms below it change no variance
-SMALLEST = 1e-8  # of the largest eigenvalue: below it columns are combinations of one another
-T = TypeVar("T")
 
 
 @dataclass(frozen=True)
@@ -88,7 +78,7 @@ class Search:
 
     def __init__(self, at: Fit, terms: Sequence[Term]) -> None:
         self.fit = at
-        self.effects = tuple(map(_key, at.problem.terms))
+        self.effects = tuple(map(key, at.problem.terms))
         self._compete(Beside(at), at.problem, _with_fitted(terms, at.problem))
 
     def _compete(self, beside: Beside, problem: Problem, terms: Sequence[Term]) -> None:
@@ -97,7 +87,7 @@ class Search:
         self._columns = self._whitened(beside, terms)
         size = np.sqrt(np.einsum("ij,ij->j", self._columns, self._columns))
         starts = np.cumsum([0, *(t.n_coefficients for t in terms)])[:-1].tolist()
-        self._start = dict(zip(map(_key, terms), starts, strict=True))
+        self._start = dict(zip(map(key, terms), starts, strict=True))
         lever = problem.borne(terms).astype(float)
         for span in map(self._span, dict.fromkeys(t.effect for t in terms)):
             # rounding is no lever: a joint that bears nothing has nothing to twist by
@@ -116,7 +106,7 @@ class Search:
     def _span(self, name: str) -> slice:
         """Return the columns of all forms of an effect."""
         forms = self._forms(name)
-        first = self._start[_key(forms[0])]
+        first = self._start[key(forms[0])]
         return slice(first, first + forms[0].n_coefficients * len(forms))
 
     def _place(self, beside: Beside) -> None:
@@ -174,7 +164,7 @@ class Search:
         some = self.where(term)
         columns = self._columns[:, some] if some else self._whitened(self._beside, [term])
         out = self.joined(columns / np.maximum(np.linalg.norm(columns, axis=0), 1e-300))
-        out.effects = (*self.effects, _key(term))
+        out.effects = (*self.effects, key(term))
         return out
 
     def joined(self, columns: Array) -> Search:
@@ -194,7 +184,7 @@ class Search:
 
     def where(self, term: Term) -> list[int]:
         """Return the columns of a form; none if it does not compete."""
-        start = self._start.get(_key(term))
+        start = self._start.get(key(term))
         if start is None:
             return []
         return [start + j for j in places(next(t for t in self.terms if t.effect == term.effect), term)]
@@ -235,7 +225,7 @@ class Search:
         What of it no machine can have is left out, and told: limbs, or the form where it is of the whole machine.
         """
         forms, span = self._forms(name), self._span(name)
-        free = [j for j, t in enumerate(forms) if _key(t) not in self.effects]
+        free = [j for j, t in enumerate(forms) if key(t) not in self.effects]
         G = self.gram(name)[free]
         b = self._reach[span].reshape(len(forms), -1)[free]
         size = self._size[span].reshape(len(forms), -1)[free]
@@ -243,7 +233,7 @@ class Search:
         allowed: list[object] | None = list(carriers_of(forms[0]))
         last = Found(forms[0], 0.0, -np.inf)
         while len(open_forms) and allowed is not None:
-            part, k, gain, score = _most(forms[0], allowed, len(forms), G[open_forms], b[open_forms])
+            part, k, gain, score = best_part(forms[0], allowed, len(forms), G[open_forms], b[open_forms])
             k = int(open_forms[k])
             form = dataclasses.replace(part, constants=forms[free[k]].constants)
             own = places(forms[0], part)
@@ -362,86 +352,11 @@ def _beside_gaps(beside: Beside, terms: Sequence[Term], columns: Array) -> Array
     return out
 
 
-def _most(every: Term, allowed: Sequence[object], forms: int, G: Array, b: Array) -> tuple[Term, int, float, float]:
-    """Return which part of an effect, in which form, earns most beyond its charge, with gain and score.
-
-    `every` is the effect on all limbs, to which the normal equations G (M, n, n) and b (M, n) of M forms belong;
-    `allowed` are the limbs, or tool points, that it may be on. All sets of few limbs are looked at; of many, those on
-    the way from none to all and back, of the forms that explain most on all.
-    """
-    most = gains(G, b)  # no part of a form explains more than the whole
-    if len(allowed) > MOST_SETS:
-        return _greedy(every, allowed, forms, G, b, np.argsort(-most)[:MOST_FORMS])
-    carriers, found = carriers_of(every), (_on(every, allowed), 0, 0.0, -np.inf)
-    largest = len(allowed) - bool(every.tools and len(allowed) == len(every.tools))
-    for size in range(largest, 0, -1) if carriers else [0]:
-        price = _charge(max(size, 1), every.values.shape[1], forms)
-        some = np.flatnonzero(most - price > found[3])
-        if not len(some):
-            continue
-        sets = list(itertools.combinations(allowed, size))[::-1]
-        at = np.array([_places(every, own) for own in sets])
-        those = G[some][:, at[:, :, None], at[:, None, :]], b[some][:, at]
-        each = gains(*(values.reshape(-1, *at.shape[1:] * (values.ndim - 2)) for values in those))
-        by_set = each.reshape(len(some), -1).T
-        which, k = divmod(int(np.argmax(by_set)), len(some))
-        gain = float(by_set[which, k])
-        if gain - price > found[3]:
-            found = _on(every, sets[which]), int(some[k]), gain, gain - price
-    return found
-
-
-def _greedy(
-    every: Term, allowed: Sequence[object], forms: int, G: Array, b: Array, among: np.ndarray
-) -> tuple[Term, int, float, float]:
-    """Return what `_most` does, of some of the forms and of sets on the way from none to all and back."""
-    n_c, best = every.values.shape[1], (every, 0, 0.0, -np.inf)
-    for k in among.tolist():
-
-        def worth(sets: Sequence[tuple[object, ...]], k: int = k) -> Sequence[float]:
-            if every.tools and len(sets[0]) == len(every.tools):
-                return [-np.inf]  # an offset of all tool points alike is another frame
-            at = np.array([_places(every, own) for own in sets])
-            found: list[float] = gains(G[k][at[:, :, None], at[:, None, :]], b[k][at]).tolist()
-            return [gain - _charge(len(sets[0]), n_c, forms) for gain in found]
-
-        own, score = best_set(allowed, worth)
-        if score > best[3]:
-            best = _on(every, own), k, score + _charge(len(own), n_c, forms), score
-    return best
-
-
-def best_set(
-    items: Sequence[T], worth: Callable[[Sequence[tuple[T, ...]]], Sequence[float]]
-) -> tuple[tuple[T, ...], float]:
-    """Return the set of items that is worth most, and its worth: forwards one by one, then backwards from all.
-
-    `worth` takes sets of one size at a time.
-    """
-    found: list[tuple[float, tuple[T, ...]]] = []
-    own: tuple[T, ...] = ()
-    while len(own) < len(items):
-        tried = [tuple(i for i in items if i in own or i == new) for new in items if new not in own]
-        score, own = max(zip(worth(tried), tried, strict=True), key=lambda pair: pair[0])
-        found.append((score, own))
-    while len(own) > 1:
-        tried = [tuple(i for i in own if i != old) for old in own]
-        score, own = max(zip(worth(tried), tried, strict=True), key=lambda pair: pair[0])
-        found.append((score, own))
-    score, own = max(found, key=lambda pair: pair[0])
-    return own, score
-
-
-def _on(every: Term, carriers: Sequence[object]) -> Term:
-    """Return an effect, blank, on some of its limbs or tool points."""
-    return without_rows(every, [r for r, c in enumerate(carriers_of(every)) if c not in carriers]) or every
-
-
 def _with_fitted(terms: Sequence[Term], problem: Problem) -> list[Term]:
     """Return the forms that compete, those that are fitted with sizes between the searched ones among them."""
-    out, known = list(terms), set(map(_key, terms))
+    out, known = list(terms), set(map(key, terms))
     for term in problem.terms:
-        if _key(term) not in known and (same := [j for j, t in enumerate(out) if t.effect == term.effect]):
+        if key(term) not in known and (same := [j for j, t in enumerate(out) if t.effect == term.effect]):
             out.insert(same[-1] + 1, dataclasses.replace(out[same[-1]], constants=term.constants))
     return out
 
@@ -457,66 +372,3 @@ def _resized(term: Term, at: int, by: float) -> Term:
     constants = list(term.constants)
     constants[at] = float(constants[at]) * float(np.exp(by))
     return dataclasses.replace(term, constants=tuple(constants), values=np.zeros_like(term.values))
-
-
-def several(effect: str) -> bool:
-    """Tell whether a machine may have an effect more than once: periodic errors of different orders."""
-    return "orders" in load_effect(effect).SEARCHED
-
-
-def charge(term: Term, forms: int) -> float:
-    """Return the gain in chi2 that the best of `forms` of an effect exceeds by chance alone.
-
-    Each limb, or tool point, has to earn its own: an effect on two limbs is charged as two.
-    """
-    rows, n_c = term.values.shape
-    return _charge(rows, n_c, forms)
-
-
-def _charge(rows: int, n_c: int, forms: int) -> float:
-    return rows * quantile(n_c, 1) + quantile(1, forms) - quantile(1, 1)
-
-
-@cache
-def quantile(degrees: int, forms: int) -> float:
-    """Return what the largest of `forms` chi2 of so many degrees exceeds with the probability `CHANCE`, at most."""
-    from scipy.special import chdtri  # scipy.stats would take a second to load
-
-    return float(chdtri(degrees, CHANCE / forms))
-
-
-def _key(term: Term) -> tuple[str, tuple[Constant, ...]]:
-    return term.effect, term.constants
-
-
-def carriers_of(term: Term) -> Sequence[object]:
-    """Return the limbs, or the tool points, that an effect is on; none where it is of the whole machine."""
-    return term.limbs or term.tools
-
-
-def places(every: Term, part: Term) -> list[int]:
-    """Return which coefficients of an effect on all limbs, or tool points, those on a part of them are."""
-    return _places(every, carriers_of(part))
-
-
-def _places(every: Term, own: Sequence[object]) -> list[int]:
-    """Return the columns, among those of an effect on all limbs or tool points, of some of them."""
-    n_c, carriers = every.values.shape[1], carriers_of(every)
-    places = [carriers.index(c) for c in own] if carriers else [0]
-    return [p * n_c + j for p in places for j in range(n_c)]
-
-
-def gains(G: Array, b: Array) -> Array:
-    """Return b G^+ b (M,) of M normal equations, (M, k, k) and (M, k); columns that are not seen take no part.
-
-    Columns had unit length before the projection.
-    """
-    seen = np.diagonal(G, axis1=1, axis2=2) > UNSEEN
-    if G.shape[1] == 1:
-        return np.where(seen, b**2 / np.where(seen, G[:, 0], 1.0), 0.0)[:, 0]
-    both = seen[:, :, None] & seen[:, None, :]
-    values, vectors = np.linalg.eigh(np.where(both, G, 0.0))
-    along = np.einsum("mij,mi->mj", vectors, np.where(seen, b, 0.0))
-    keep = values > SMALLEST * np.maximum(values[:, -1:], UNSEEN)
-    found: Array = np.sum(np.where(keep, along**2 / np.where(keep, values, 1.0), 0.0), axis=1)
-    return found

@@ -7,20 +7,18 @@ import itertools
 from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
+from deltacal_gen.diagnosis.charges import carriers_of, several
 from deltacal_gen.diagnosis.evidence import evidence
+from deltacal_gen.diagnosis.refits import form, kind, place, refitted, std_of, terms_of
 from deltacal_gen.diagnosis.scattering import scattering
-from deltacal_gen.diagnosis.search import Found, Search, carriers_of, several
+from deltacal_gen.diagnosis.search import Found, Search
 from deltacal_gen.diagnosis.spectrum import Spectrum, periodic, wave
 from deltacal_gen.diagnosis.structure import Structure, alike, smooth_columns, structures
-from deltacal_gen.errors import InputError, NoSolutionError
-from deltacal_gen.estimation.fit import Fit, fit, held_out, held_out_errors
-from deltacal_gen.estimation.problem import ROUNDING, Problem
-from deltacal_gen.estimation.residuals import Repeats
-from deltacal_gen.estimation.series import Series
+from deltacal_gen.estimation.fit import Fit, held_out, held_out_errors
+from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.identification.folds import folds
 from deltacal_gen.identification.noise import lack_of_fit, merely_more
@@ -30,7 +28,6 @@ from deltacal_gen.physics.states import read_by
 from deltacal_gen.physics.terms import (
     Term,
     beyond,
-    largest,
     load_effect,
     on_limbs,
     without_rows,
@@ -45,11 +42,7 @@ RIVALS = 4  # effects of which each may be the first of two in the place of two 
 NEAR = 20.0  # of chi2: two that explain so much less in the linear machine may explain more in the exact one
 GIVEN_UP = 2  # times, after which an effect is taken up no more
 TURNS, SETTLED = 4, 0.5  # in which orders and what is beside them settle; standard deviations that are as good as none
-SEARCHED = 1e-2  # of chi2: what a last step of a fit within the search may still gain
 MUCH_WORSE = 1.02  # times the noise: another form that fits so much worse in the exact machine is not taken
-# mm: root mean square that an effect's coefficient may well move the readings, a prior that never pulls; where readings
-# hardly see it, that of its believable range does
-ROOM = 10.0
 HARDLY_ALIKE = 2.5  # likewise, from which it may be none
 SOLVED_TO = 1e-8  # mm, rad: what is left of readings without noise is how far poses are solved, and no physics
 ALIKE = 4.0  # standard deviations by which what is left must correlate between neighbouring poses to be no noise
@@ -271,11 +264,11 @@ def _chosen(problem: Problem, search: Search, progress: Progress) -> tuple[Searc
     terms, considered = search.terms, list[Found]()
     seen: set[frozenset[tuple[object, ...]]] = set()
     given_up = Counter[tuple[object, ...]]()
-    while len(search.effects) < MOST_EFFECTS and (here := frozenset(map(_place, terms_of(search.fit)))) not in seen:
+    while len(search.effects) < MOST_EFFECTS and (here := frozenset(map(place, terms_of(search.fit)))) not in seen:
         seen.add(here)  # what is given up for something else may earn its price beside that, and so on, for ever
         named = search.effects
         progress(f"search {len(named) + 1}: {len(terms)} forms of {len({t.effect for t in terms})} effects")
-        ranked = [f for f in search.ranked() if given_up[_kind(f.term)] < GIVEN_UP]
+        ranked = [f for f in search.ranked() if given_up[kind(f.term)] < GIVEN_UP]
         considered = considered or ranked
         if not ranked or ranked[0].score < MARGIN or _crowded(search, ranked[0]):
             break
@@ -283,7 +276,7 @@ def _chosen(problem: Problem, search: Search, progress: Progress) -> tuple[Searc
         if better is None or better.sigma[0] > search.fit.sigma[0] * MUCH_WORSE:
             break  # it did not converge
         search = _revised(problem, Search(better, terms))
-        given_up.update({*map(_kind, terms_of(better))} - {*map(_kind, terms_of(search.fit))})
+        given_up.update({*map(kind, terms_of(better))} - {*map(kind, terms_of(search.fit))})
         if search.effects == named:
             break  # it did not hold
     return search, considered
@@ -300,7 +293,7 @@ def _exchanged(problem: Problem, search: Search) -> Search:
         own, rest = [terms[i], terms[j]], [t for k, t in enumerate(terms) if k not in (i, j)]
         freed = search.freed(i, j)
         tried = [pair for found in freed.ranked()[:RIVALS] if (pair := _paired(freed, found)) is not None]
-        others = [p for p in tried if {*map(_place, p)} != {*map(_place, own)}]
+        others = [p for p in tried if {*map(place, p)} != {*map(place, own)}]
         pair = max(others, key=lambda p: _worth(freed, p), default=None)
         if pair is None or _worth(freed, pair) < _worth(freed, own) - NEAR:
             continue
@@ -367,54 +360,6 @@ def _without_gross(problem: Problem, search: Search) -> tuple[Search, list[Struc
     return search, structures(search.fit)
 
 
-def terms_of(at: Fit) -> list[Term]:
-    return list(at.problem.split(at.errors)[1])
-
-
-def refitted(
-    problem: Problem, at: Fit, terms: Sequence[Term], drop_gross: bool = False, tolerance: float = SEARCHED
-) -> Fit | None:
-    """Return the joint fit of geometry, instrument and effects, starting from a fit; None where there is none.
-
-    What is left out may look like gross errors where it is strongest: none is dropped before all is known.
-    """
-    n_p = len(problem.mechanism.parameters)
-    errors, joint, same = at.errors[:n_p], problem, at.problem.body is problem.body
-    if terms:
-        machine = at.machine if same else problem.solve(errors)
-        columns = problem.term_columns(terms, at.errors, at.instrument, machine)
-        flat = np.where(np.isfinite(columns), columns, 0.0).reshape(-1, columns.shape[2])
-        size = np.linalg.norm(flat, axis=0)
-        scale = ROOM * np.sqrt(len(flat)) / np.maximum(size, max(ROUNDING * size.max(), 1e-300))
-        most = np.concatenate([largest(t, problem.recording.joint_unit).ravel() for t in terms])
-        borne = problem.borne(terms)  # what bears nothing stays nothing
-        joint = problem.with_terms(terms, np.minimum(scale, most) * np.where(borne, 1.0, ROUNDING))
-        errors = np.concatenate([errors, borne * np.concatenate([t.values.ravel() for t in terms])])
-    try:
-        return fit(
-            joint,
-            Prior(),
-            errors=errors,
-            machine=joint.solve(errors, near=at.machine if same else None),
-            instrument=at.instrument,
-            repeats=_correlated(at, problem),
-            drop_gross=drop_gross,
-            must_converge=False,
-            tolerance=tolerance,
-        )
-    except (NoSolutionError, InputError):
-        return None
-
-
-def _correlated(at: Fit, problem: Problem) -> Repeats | None:
-    """Return how the noise of other readings hangs together, as a fit counts with it; None where it knows nothing."""
-    known, own = at.repeats, Series.of(problem.readings)
-    if known.plain or own is None:
-        return None
-    series = known.series and dataclasses.replace(own, rho=known.series.rho, own=known.series.own)
-    return dataclasses.replace(known, group=problem.readings.group, series=series)
-
-
 def _revised(problem: Problem, search: Search) -> Search:
     """Look at each effect again with the others held beside it, until none has a better form."""
     for _ in range(REVISIONS):
@@ -427,11 +372,6 @@ def _revised(problem: Problem, search: Search) -> Search:
     return search
 
 
-def _std(at: Fit, i: int) -> Array:
-    """Return the standard deviations (n_c,) of an effect's coefficients."""
-    return np.sqrt(np.maximum(np.diag(at.covariance)[at.problem.coefficients(i)], 0.0))
-
-
 def _better(problem: Problem, search: Search, i: int) -> Fit | None:
     """Return a fit in which what is best, or nothing, stands for an effect; None where it is best as it is.
 
@@ -440,7 +380,7 @@ def _better(problem: Problem, search: Search, i: int) -> Fit | None:
     current, freed = search.fit, search.freed(i)
     chosen, best = terms_of(current), freed.ranked()[0]
     own, others = chosen[i], chosen[:i] + chosen[i + 1 :]
-    if cannot := beyond(own, _std(current, i), problem.recording.joint_unit):
+    if cannot := beyond(own, std_of(current, i), problem.recording.joint_unit):
         less = without_rows(own, [c.row for c in cannot])
         return refitted(problem, current, others if less is None else [*others, less])
     if best.score < MARGIN:
@@ -549,18 +489,6 @@ def borne_out(before: Array, after: Array) -> bool:
     return bool(gone.mean() > BORNE_OUT * gone.std(ddof=1) / np.sqrt(len(gone)))
 
 
-def believable(problem: Problem, at: Fit, **how: Any) -> Fit:
-    """Return a fit without the effects, or their limbs, that would need a size that no machine has."""
-    kept: list[Term] = []
-    for i, term in enumerate(terms := terms_of(at)):
-        cannot = beyond(term, _std(at, i), problem.recording.joint_unit)
-        less = without_rows(term, [c.row for c in cannot]) if cannot else term
-        kept += [] if less is None else [less]
-    if list(map(form, kept)) == list(map(form, terms)):
-        return at
-    return refitted(problem, at, kept, **how) or at
-
-
 def held_out_by(problem: Problem, search: Search, parts: Sequence[tuple[np.ndarray, np.ndarray]]) -> Array:
     """Return the errors (R, k) [mm, rad] of readings that took part neither in a fit nor in the choice of its effects.
 
@@ -581,17 +509,3 @@ def held_out_by(problem: Problem, search: Search, parts: Sequence[tuple[np.ndarr
         if fitted is not None:
             out[test] = held_out_errors(fitted, Prior(), [(train, test)])[test]
     return out
-
-
-def _kind(term: Term) -> tuple[object, ...]:
-    """Return an effect, and of one that a machine may have several times, which."""
-    return term.effect, term.constants if several(term.effect) else ()
-
-
-def _place(term: Term) -> tuple[object, ...]:
-    return *_kind(term), term.limbs, term.tools
-
-
-def form(term: Term) -> tuple[object, ...]:
-    """Return an effect, and where and with which constants it is."""
-    return term.effect, term.limbs, term.constants, term.tools

@@ -14,8 +14,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from deltacal_gen.diagnosis.search import Search, carriers_of
-from deltacal_gen.diagnosis.strategy import form, terms_of
+from deltacal_gen.diagnosis.charges import carriers_of
+from deltacal_gen.diagnosis.refits import form, terms_of
+from deltacal_gen.diagnosis.search import Search
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.terms import Term
 

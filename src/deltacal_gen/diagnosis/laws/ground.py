@@ -17,7 +17,7 @@ from functools import cached_property
 import numpy as np
 
 from deltacal_gen.diagnosis.beside import Beside
-from deltacal_gen.diagnosis.search import gains
+from deltacal_gen.diagnosis.charges import gains
 from deltacal_gen.estimation.fit import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.machine.registry import Array

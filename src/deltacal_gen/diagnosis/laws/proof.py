@@ -13,7 +13,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from deltacal_gen.diagnosis.laws.search import COMPARED, SHARE, Grown, explained, grow, quiet
-from deltacal_gen.diagnosis.strategy import borne_out, refitted, terms_of
+from deltacal_gen.diagnosis.refits import refitted, terms_of
+from deltacal_gen.diagnosis.strategy import borne_out
 from deltacal_gen.estimation.fit import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.residuals import lengths, rms

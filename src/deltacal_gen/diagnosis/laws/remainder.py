@@ -16,7 +16,7 @@ import numpy as np
 from deltacal_gen.diagnosis.components import Components, Sizes, of_noise
 from deltacal_gen.diagnosis.laws.ground import Ground, Tried
 from deltacal_gen.diagnosis.laws.shape import Part, curves_of, of_parts
-from deltacal_gen.diagnosis.strategy import terms_of
+from deltacal_gen.diagnosis.refits import terms_of
 from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.estimation.fit import Fit, fit
 from deltacal_gen.estimation.solvers import Prior

@@ -16,7 +16,8 @@ from deltacal_gen.diagnosis.laws.ground import Ground, Tried
 from deltacal_gen.diagnosis.laws.profile import refine
 from deltacal_gen.diagnosis.laws.screen import ranked
 from deltacal_gen.diagnosis.laws.shape import shaped
-from deltacal_gen.diagnosis.strategy import ALIKE, MARGIN, refitted, terms_of
+from deltacal_gen.diagnosis.refits import refitted, terms_of
+from deltacal_gen.diagnosis.strategy import ALIKE, MARGIN
 from deltacal_gen.diagnosis.structure import alike, structures
 from deltacal_gen.estimation.fit import Fit
 from deltacal_gen.estimation.problem import Problem

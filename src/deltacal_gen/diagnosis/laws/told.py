@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from deltacal_gen.diagnosis.laws.ground import Ground
-from deltacal_gen.diagnosis.strategy import terms_of
+from deltacal_gen.diagnosis.refits import terms_of
 from deltacal_gen.estimation.fit import Fit
 from deltacal_gen.estimation.residuals import lengths, rms
 from deltacal_gen.machine.registry import Array

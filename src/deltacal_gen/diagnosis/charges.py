@@ -1,0 +1,162 @@
+"""What the best of many forms of an effect is worth: gains in chi2, and what chance alone lets the best one gain.
+
+A form is an effect on some limbs, or tool points, with its searched constants. What the best of many explains by chance
+grows with their number: the charge is the gain that nothing but noise exceeds with the probability `CHANCE`, all forms
+of the effect together (Bonferroni).
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable, Sequence
+from functools import cache
+from typing import TypeVar
+
+import numpy as np
+
+from deltacal_gen.machine.registry import Array
+from deltacal_gen.physics.terms import Constant, Term, load_effect, without_rows
+
+CHANCE = 5e-4  # that noise alone earns a form, or a limb, its charge
+MOST_SETS, MOST_FORMS = 6, 3  # limbs of which all sets are looked at; forms of an effect on more that are
+UNSEEN = 1e-6  # part of a column's square beside the base: less is a combination of what is fitted
+SMALLEST = 1e-8  # of the largest eigenvalue: below it columns are combinations of one another
+T = TypeVar("T")
+
+
+def gains(G: Array, b: Array) -> Array:
+    """Return b G^+ b (M,) of M normal equations, (M, k, k) and (M, k); columns that are not seen take no part.
+
+    Columns had unit length before the projection.
+    """
+    seen = np.diagonal(G, axis1=1, axis2=2) > UNSEEN
+    if G.shape[1] == 1:
+        return np.where(seen, b**2 / np.where(seen, G[:, 0], 1.0), 0.0)[:, 0]
+    both = seen[:, :, None] & seen[:, None, :]
+    values, vectors = np.linalg.eigh(np.where(both, G, 0.0))
+    along = np.einsum("mij,mi->mj", vectors, np.where(seen, b, 0.0))
+    keep = values > SMALLEST * np.maximum(values[:, -1:], UNSEEN)
+    found: Array = np.sum(np.where(keep, along**2 / np.where(keep, values, 1.0), 0.0), axis=1)
+    return found
+
+
+def charge(term: Term, forms: int) -> float:
+    """Return the gain in chi2 that the best of `forms` of an effect exceeds by chance alone.
+
+    Each limb, or tool point, has to earn its own: an effect on two limbs is charged as two.
+    """
+    rows, n_c = term.values.shape
+    return _charge(rows, n_c, forms)
+
+
+@cache
+def quantile(degrees: int, forms: int) -> float:
+    """Return what the largest of `forms` chi2 of so many degrees exceeds with the probability `CHANCE`, at most."""
+    from scipy.special import chdtri  # scipy.stats would take a second to load
+
+    return float(chdtri(degrees, CHANCE / forms))
+
+
+def _charge(rows: int, n_c: int, forms: int) -> float:
+    return rows * quantile(n_c, 1) + quantile(1, forms) - quantile(1, 1)
+
+
+def several(effect: str) -> bool:
+    """Tell whether a machine may have an effect more than once: periodic errors of different orders."""
+    return "orders" in load_effect(effect).SEARCHED
+
+
+def key(term: Term) -> tuple[str, tuple[Constant, ...]]:
+    return term.effect, term.constants
+
+
+def carriers_of(term: Term) -> Sequence[object]:
+    """Return the limbs, or the tool points, that an effect is on; none where it is of the whole machine."""
+    return term.limbs or term.tools
+
+
+def places(every: Term, part: Term) -> list[int]:
+    """Return which coefficients of an effect on all limbs, or tool points, those on a part of them are."""
+    return _places(every, carriers_of(part))
+
+
+def _places(every: Term, own: Sequence[object]) -> list[int]:
+    """Return the columns, among those of an effect on all limbs or tool points, of some of them."""
+    n_c, carriers = every.values.shape[1], carriers_of(every)
+    places = [carriers.index(c) for c in own] if carriers else [0]
+    return [p * n_c + j for p in places for j in range(n_c)]
+
+
+def _on(every: Term, carriers: Sequence[object]) -> Term:
+    """Return an effect, blank, on some of its limbs or tool points."""
+    return without_rows(every, [r for r, c in enumerate(carriers_of(every)) if c not in carriers]) or every
+
+
+def best_part(every: Term, allowed: Sequence[object], forms: int, G: Array, b: Array) -> tuple[Term, int, float, float]:
+    """Return which part of an effect, in which form, earns most beyond its charge, with gain and score.
+
+    `every` is the effect on all limbs, to which the normal equations G (M, n, n) and b (M, n) of M forms belong;
+    `allowed` are the limbs, or tool points, that it may be on. All sets of few limbs are looked at; of many, those on
+    the way from none to all and back, of the forms that explain most on all.
+    """
+    most = gains(G, b)  # no part of a form explains more than the whole
+    if len(allowed) > MOST_SETS:
+        return _greedy(every, allowed, forms, G, b, np.argsort(-most)[:MOST_FORMS])
+    carriers, found = carriers_of(every), (_on(every, allowed), 0, 0.0, -np.inf)
+    largest = len(allowed) - bool(every.tools and len(allowed) == len(every.tools))
+    for size in range(largest, 0, -1) if carriers else [0]:
+        price = _charge(max(size, 1), every.values.shape[1], forms)
+        some = np.flatnonzero(most - price > found[3])
+        if not len(some):
+            continue
+        sets = list(itertools.combinations(allowed, size))[::-1]
+        at = np.array([_places(every, own) for own in sets])
+        those = G[some][:, at[:, :, None], at[:, None, :]], b[some][:, at]
+        each = gains(*(values.reshape(-1, *at.shape[1:] * (values.ndim - 2)) for values in those))
+        by_set = each.reshape(len(some), -1).T
+        which, k = divmod(int(np.argmax(by_set)), len(some))
+        gain = float(by_set[which, k])
+        if gain - price > found[3]:
+            found = _on(every, sets[which]), int(some[k]), gain, gain - price
+    return found
+
+
+def _greedy(
+    every: Term, allowed: Sequence[object], forms: int, G: Array, b: Array, among: np.ndarray
+) -> tuple[Term, int, float, float]:
+    """Return what `_most` does, of some of the forms and of sets on the way from none to all and back."""
+    n_c, best = every.values.shape[1], (every, 0, 0.0, -np.inf)
+    for k in among.tolist():
+
+        def worth(sets: Sequence[tuple[object, ...]], k: int = k) -> Sequence[float]:
+            if every.tools and len(sets[0]) == len(every.tools):
+                return [-np.inf]  # an offset of all tool points alike is another frame
+            at = np.array([_places(every, own) for own in sets])
+            found: list[float] = gains(G[k][at[:, :, None], at[:, None, :]], b[k][at]).tolist()
+            return [gain - _charge(len(sets[0]), n_c, forms) for gain in found]
+
+        own, score = best_set(allowed, worth)
+        if score > best[3]:
+            best = _on(every, own), k, score + _charge(len(own), n_c, forms), score
+    return best
+
+
+def best_set(
+    items: Sequence[T], worth: Callable[[Sequence[tuple[T, ...]]], Sequence[float]]
+) -> tuple[tuple[T, ...], float]:
+    """Return the set of items that is worth most, and its worth: forwards one by one, then backwards from all.
+
+    `worth` takes sets of one size at a time.
+    """
+    found: list[tuple[float, tuple[T, ...]]] = []
+    own: tuple[T, ...] = ()
+    while len(own) < len(items):
+        tried = [tuple(i for i in items if i in own or i == new) for new in items if new not in own]
+        score, own = max(zip(worth(tried), tried, strict=True), key=lambda pair: pair[0])
+        found.append((score, own))
+    while len(own) > 1:
+        tried = [tuple(i for i in own if i != old) for old in own]
+        score, own = max(zip(worth(tried), tried, strict=True), key=lambda pair: pair[0])
+        found.append((score, own))
+    score, own = max(found, key=lambda pair: pair[0])
+    return own, score
