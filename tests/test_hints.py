@@ -9,12 +9,12 @@ import pytest
 from scipy.signal import lfilter
 
 from deltacal_gen.diagnosis import hints, strategy
+from deltacal_gen.diagnosis.charges import MARGIN
 from deltacal_gen.diagnosis.diagnosis import Diagnosed, diagnose
 from deltacal_gen.diagnosis.evidence import MOST_WRONG, Evidence, evidence
 from deltacal_gen.diagnosis.hints import hinted
 from deltacal_gen.diagnosis.library import library
 from deltacal_gen.diagnosis.search import Search
-from deltacal_gen.diagnosis.strategy import MARGIN
 from deltacal_gen.estimation.fit import fit
 from deltacal_gen.estimation.problem import Problem, pose_problem
 from deltacal_gen.estimation.solvers import Prior

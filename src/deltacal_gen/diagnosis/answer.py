@@ -12,6 +12,7 @@ from deltacal_gen.diagnosis.chance import Chance
 from deltacal_gen.diagnosis.correction import Correction
 from deltacal_gen.diagnosis.discrimination import more_poses
 from deltacal_gen.diagnosis.findings import Named
+from deltacal_gen.diagnosis.harmonics import order_of
 from deltacal_gen.diagnosis.laws.told import told
 from deltacal_gen.diagnosis.search import SCATTERED
 from deltacal_gen.diagnosis.spectrum import Spectrum, wave
@@ -191,6 +192,7 @@ def _effect(found: Named, joint_unit: str, chance: Chance, clock: str) -> Effect
         p_value=chance.of(found.score),
         gain_chi2=found.gain,
         share_of_excess=found.share,
+        harmonic_of=None if found.fundamental is None else order_of(found.fundamental),
         indistinguishable_from=found.alike,
     )
 
@@ -277,7 +279,7 @@ def _alike(effects: Sequence[Named]) -> str:
     told = [
         f"{n.term.effect} from {' or '.join(n.alike)}" + (f" (odds {_odds(n.lead)} to 1 for it)" if n.rivals else "")
         for n in effects
-        if n.alike
+        if n.alike and n.fundamental is None
     ]
     return f" These poses cannot tell {'; '.join(told)}: what to measure next decides." if told else ""
 

@@ -17,6 +17,7 @@ import numpy as np
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.terms import Constant, Term, load_effect, without_rows
 
+MARGIN = 10.0  # of chi2, beyond all charges: what an effect must earn to be named, and what is left to be unexplained
 CHANCE = 5e-4  # that noise alone earns a form, or a limb, its charge
 MOST_SETS, MOST_FORMS = 6, 3  # limbs of which all sets are looked at; forms of an effect on more that are
 UNSEEN = 1e-6  # part of a column's square beside the base: less is a combination of what is fitted
@@ -40,13 +41,14 @@ def gains(G: Array, b: Array) -> Array:
     return found
 
 
-def charge(term: Term, forms: int) -> float:
+def charge(term: Term, forms: int, together: int = 1) -> float:
     """Return the gain in chi2 that the best of `forms` of an effect exceeds by chance alone.
 
-    Each limb, or tool point, has to earn its own: an effect on two limbs is charged as two.
+    Each limb, or tool point, has to earn its own: an effect on two limbs is charged as two. Of `together` terms, which
+    differ in a constant alone, all coefficients of a limb earn theirs together.
     """
     rows, n_c = term.values.shape
-    return _charge(rows, n_c, forms)
+    return _charge(rows, together * n_c, forms)
 
 
 @cache

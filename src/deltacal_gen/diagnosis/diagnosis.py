@@ -20,6 +20,7 @@ import numpy as np
 
 from deltacal_gen.diagnosis.answer import result_of
 from deltacal_gen.diagnosis.chance import Chance
+from deltacal_gen.diagnosis.charges import MARGIN
 from deltacal_gen.diagnosis.correction import BorneOut, Correction, borne_out_beside
 from deltacal_gen.diagnosis.discrimination import Question, next_measurements
 from deltacal_gen.diagnosis.findings import AMBIGUOUS, Named, location_of, named_of, rejected_of, turned_of
@@ -31,7 +32,6 @@ from deltacal_gen.diagnosis.refits import believable, form, refitted, terms_of
 from deltacal_gen.diagnosis.search import Search
 from deltacal_gen.diagnosis.spectrum import LEAST_TURN, Spectrum, periodic, wave
 from deltacal_gen.diagnosis.strategy import (
-    MARGIN,
     Outcome,
     Progress,
     beside_noise,
@@ -163,7 +163,8 @@ def diagnose(
     of, shows = (found.search.fit, found.left) if lawful else (search.fit, left)
     location = location_of(of, shows, named, spectrum, chance, not (unexplained or lawful), found.wandering)
     progress("what to measure next")
-    asked = *(Question(n.term, n.rivals, n.unrecorded) for n in named), *sought.questions
+    findings = (n for n in named if n.fundamental is None)
+    asked = *(Question(n.term, n.rivals, n.unrecorded) for n in findings), *sought.questions
     questions = [*asked, *(Question(h.term, proven=False) for h in doubtful)]
     return Diagnosed(
         verdict=Verdict.UNEXPLAINED if unexplained else _verdict(current),

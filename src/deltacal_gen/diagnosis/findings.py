@@ -9,12 +9,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from deltacal_gen.diagnosis.chance import Chance
+from deltacal_gen.diagnosis.charges import MARGIN
 from deltacal_gen.diagnosis.library import unseen
 from deltacal_gen.diagnosis.refits import form, terms_of
 from deltacal_gen.diagnosis.scattering import scattering
 from deltacal_gen.diagnosis.search import Found, Search
 from deltacal_gen.diagnosis.spectrum import Spectrum, wave
-from deltacal_gen.diagnosis.strategy import ALIKE, MARGIN
+from deltacal_gen.diagnosis.strategy import ALIKE
 from deltacal_gen.diagnosis.structure import Region, Structure, alike
 from deltacal_gen.diagnosis.unnamed import shifts
 from deltacal_gen.estimation.fit import Fit
@@ -50,7 +51,8 @@ class Named:
 
     `score` is what is left of the gain after its charge. `rivals` explain the same misfit as well; `unrecorded` name
     effects that could, through a channel that was not recorded or did not vary. `of_constant` is the standard
-    deviation of a constant that was searched. `lead` is by how much the score exceeds that of the best rival.
+    deviation of a constant that was searched. `lead` is by how much the score exceeds that of the best rival. A
+    harmonic names its `fundamental`, with which it is one finding: score and rivals are of all its waves together.
     """
 
     term: Term
@@ -62,6 +64,7 @@ class Named:
     score: float
     of_constant: float | None = None
     lead: float = np.inf
+    fundamental: Term | None = None
 
     @property
     def alike(self) -> tuple[str, ...]:
@@ -159,23 +162,28 @@ def named_of(
     """
     out: list[Named] = []
     unnamed = shifts(search)
-    for i, term in enumerate(terms_of(final)):
-        if is_law(term.effect):
+    terms = terms_of(final)
+    for places in search.grouped(terms):
+        own = [terms[i] for i in places]
+        if is_law(own[0].effect):
             continue  # told by itself
-        freed = search.freed(i)
-        variance = np.diag(final.covariance)[final.problem.coefficients(i)]
-        gain = freed.gain(freed.where(term))
-        score = gain - search.price(term)
-        rivals = [f for f in freed.ranked() if f.term.effect != term.effect and f.score > score - AMBIGUOUS]
-        of_constant, more = freed.spread(term)
-        std = np.sqrt(np.maximum(variance, 0.0) + more + unnamed.get(form(term), 0.0))
-        # of what bears nothing as drawn is known what is believed of any machine
-        borne, most = search.fit.problem.borne([term]), largest(term, final.problem.recording.joint_unit)
-        std = np.where(borne, std, most.ravel())
-        unrecorded = _unrecorded(freed, term, score)
+        freed = search.freed(*places)
+        score = freed.gain(freed.columns_of(*own)) - search.price(*own)
+        rivals = [f for f in freed.ranked() if f.term.effect != own[0].effect and f.score > score - AMBIGUOUS]
+        unrecorded = _unrecorded(freed, own[0], score)
         lead = min((score - f.score for f in rivals), default=np.inf)
-        own = tuple(f.term for f in rivals)
-        out.append(Named(term, std, gain, 1.0, own, unrecorded, score, of_constant, lead))
+        others = tuple(f.term for f in rivals)
+        for i, term in zip(places, own, strict=True):
+            alone = search.freed(i)
+            of_constant, more = alone.spread(term)
+            variance = np.diag(final.covariance)[final.problem.coefficients(i)]
+            std = np.sqrt(np.maximum(variance, 0.0) + more + unnamed.get(form(term), 0.0))
+            # of what bears nothing as drawn is known what is believed of any machine
+            borne, most = search.fit.problem.borne([term]), largest(term, final.problem.recording.joint_unit)
+            std = np.where(borne, std, most.ravel())
+            gain = alone.gain(alone.where(term))
+            of = None if i == places[0] else own[0]
+            out.append(Named(term, std, gain, 1.0, others, unrecorded, score, of_constant, lead, of))
     # of the held-out variance above noise, each in proportion to what is lost without it
     before, after = heldout
     removed = float(np.clip((before**2 - after**2) / max(before**2 - sigma**2, 1e-300), 0.0, 1.0))

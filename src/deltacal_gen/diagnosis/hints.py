@@ -6,9 +6,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from deltacal_gen.diagnosis.chance import Chance
+from deltacal_gen.diagnosis.charges import MARGIN
 from deltacal_gen.diagnosis.refits import terms_of
 from deltacal_gen.diagnosis.search import Found, Search
-from deltacal_gen.diagnosis.strategy import MARGIN, MOST_EFFECTS
+from deltacal_gen.diagnosis.strategy import MOST_EFFECTS
 from deltacal_gen.physics.terms import Term
 from deltacal_gen.results.diagnosis import Hint
 
@@ -58,7 +59,7 @@ def hinted(search: Search, ambiguous: float) -> list[Hinted]:
         best = ranked[0]
         others = [f for f in ranked[1:] if f.score > max(best.score - ambiguous, 0.0)]
         out.append(Hinted(best, search.estimated(best.term), tuple(f.term.effect for f in others)))
-        beside = beside.added(best.term)
+        beside = beside.added(*best.terms)
     return out
 
 

@@ -13,21 +13,30 @@ import copy
 import dataclasses
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
 from deltacal_gen.diagnosis.beside import Beside
-from deltacal_gen.diagnosis.charges import SMALLEST, UNSEEN, best_part, carriers_of, charge, gains, key, places, several
+from deltacal_gen.diagnosis.charges import (
+    MARGIN,
+    SMALLEST,
+    UNSEEN,
+    best_part,
+    carriers_of,
+    charge,
+    gains,
+    key,
+    places,
+    several,
+)
+from deltacal_gen.diagnosis.harmonics import LONGEST, Series, grouped, lowest_repeating, order_of, series
 from deltacal_gen.diagnosis.library import SIZE_STEP
 from deltacal_gen.estimation.fit import Fit
 from deltacal_gen.estimation.problem import ROUNDING, Problem
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.body import Body
-from deltacal_gen.physics.terms import (
-    Beyond,
-    Term,
-    beyond,
-)
+from deltacal_gen.physics.terms import Beyond, Term, beyond, on_limbs
 
 GOLDEN = 0.5 * (5**0.5 - 1)  # of the golden section by which a size is then sought
 REFINEMENTS = 12  # of it: to 0.3 % of the step
@@ -52,13 +61,19 @@ class Found:
     """An effect's best form: its gain in chi2, and what is left of the gain after its charge.
 
     `doubt` says what size another form would need that would earn more: one that no machine worth measuring has. Where
-    every form would, the score is minus infinity.
+    every form would, the score is minus infinity. `harmonics` are found with the term, a periodic error, as one form.
     """
 
     term: Term
     gain: float
     score: float
     doubt: Doubt | None = None
+    harmonics: tuple[Term, ...] = ()
+
+    @property
+    def terms(self) -> tuple[Term, ...]:
+        """All that is found together."""
+        return (self.term, *self.harmonics)
 
 
 class Search:
@@ -159,8 +174,14 @@ class Search:
         out._place(self._beside.within(chosen))
         return out
 
-    def added(self, term: Term) -> Search:
-        """Return the search beside one more form, fitted in the linear machine."""
+    def added(self, *terms: Term) -> Search:
+        """Return the search beside more forms, fitted in the linear machine."""
+        out = self
+        for term in terms:
+            out = out._added(term)
+        return out
+
+    def _added(self, term: Term) -> Search:
         some = self.where(term)
         columns = self._columns[:, some] if some else self._whitened(self._beside, [term])
         out = self.joined(columns / np.maximum(np.linalg.norm(columns, axis=0), 1e-300))
@@ -189,9 +210,36 @@ class Search:
             return []
         return [start + j for j in places(next(t for t in self.terms if t.effect == term.effect), term)]
 
-    def price(self, term: Term) -> float:
-        """Return what a form has to earn, chosen among all forms of its effect; see `charge`."""
-        return charge(term, sum(t.effect == term.effect for t in self.terms))
+    def columns_of(self, *terms: Term) -> list[int]:
+        """Return the columns of several forms."""
+        return [c for t in terms for c in self.where(t)]
+
+    def grouped(self, terms: Sequence[Term]) -> list[tuple[int, ...]]:
+        """Return which terms are one finding; see `harmonics.grouped`."""
+        return grouped(terms, self._repeats)
+
+    def price(self, *terms: Term) -> float:
+        """Return what a form has to earn, chosen among all forms of its effect; see `charge`.
+
+        Several terms are one form, a periodic error with its harmonics.
+        """
+        first = terms[0]
+        if len(terms) > 1:
+            return charge(first, len(self._series(first).places), len(terms))
+        return charge(first, sum(t.effect == first.effect for t in self.terms))
+
+    def _series(self, term: Term) -> Series:
+        """Return the periodic errors of several waves, by the places of their forms."""
+        return series(tuple(order_of(t) for t in self._forms(term.effect)))
+
+    @cached_property
+    def _repeating(self) -> Sequence[float]:
+        """Return the lowest order of which each joint saw enough to tell that it repeats."""
+        problem = self.fit.problem
+        body, rows = problem.body, np.unique(problem.readings.rows)
+        nowhere = np.zeros((len(body.q), 12))  # turns do not depend on the pose
+        turn = body.state(["turn"], nowhere, body.q, body.mechanism.rows(problem.robot))["turn"][rows]
+        return [lowest_repeating(float(t)) for t in np.ptp(turn, axis=0)]
 
     def gain(self, columns: Sequence[int]) -> float:
         """Return by how much columns, fitted together with all that is fitted already, lower chi2."""
@@ -248,6 +296,40 @@ class Search:
             else:
                 open_forms = open_forms[open_forms != k]
         return dataclasses.replace(last, score=-np.inf, doubt=doubt)
+
+    def _with_harmonics(self, found: Found) -> Found:
+        """Return a periodic error with its harmonics, or another one, where these earn more than a wave by itself.
+
+        Waves that are fitted already stay, and others of their period come beside them. Of errors that are worth nearly
+        as much as the best the shortest is taken. What explains the most and was not seen to repeat is no periodic
+        error, and no other one stands for it.
+        """
+        every = self._forms(found.term.effect)
+        free = np.array([key(t) not in self.effects for t in every])
+        G, b = self.gram(found.term.effect), self._reach[self._span(found.term.effect)].reshape(len(every), -1)
+        tried: list[tuple[Found, bool]] = []
+        for limbs in dict.fromkeys([found.term.limbs, *((i,) for i in every[0].limbs)]):
+            waves = [on_limbs(t, limbs) for t in every]
+            own = places(every[0], waves[0])
+            some = self._series(waves[0])
+            holds = some.holds & free
+            prices = np.array([charge(waves[0], len(holds), n) for n in range(LONGEST + 1)])[holds.sum(axis=1)]
+            # waves that share nothing explain no more together than each alone
+            most = holds @ gains(G[:, own][:, :, own], b[:, own])
+            for s in np.flatnonzero(most > prices + max(found.score, 0.0) + MARGIN):
+                terms = [waves[k] for k in np.flatnonzero(holds[s])]
+                gain = self.gain(self.columns_of(*terms))
+                one = Found(terms[0], gain, gain - float(prices[s]), found.doubt, tuple(terms[1:]))
+                tried.append((one, self._repeats(waves[some.places[s][0]])))
+        best, repeats = max(tried, key=lambda pair: pair[0].score, default=(found, False))
+        if best.score < found.score + MARGIN or not repeats:
+            return found
+        alike = (f for f, repeats in tried if f.score > best.score - MARGIN and repeats)
+        return min(alike, key=lambda f: (len(f.terms) * len(f.term.limbs), -f.score))
+
+    def _repeats(self, fundamental: Term) -> bool:
+        """Tell whether all joints of a periodic error turned far enough to show that it repeats."""
+        return all(order_of(fundamental) >= self._repeating[i - 1] for i in fundamental.limbs)
 
     def _beyond(self, form: Term, G: Array, b: Array, size: Array) -> list[Beyond]:
         """Return what of a form's best coefficients cannot be."""
@@ -332,6 +414,7 @@ class Search:
         taken = {name for name, _ in self.effects if not several(name)}
         names = dict.fromkeys(t.effect for t in self.terms if t.effect not in taken)
         found = list(map(self.best, names))
+        found = [self._with_harmonics(f) if f.term.limbs and several(f.term.effect) else f for f in found]
         near = max(NEAR_BEST * max((f.score for f in found), default=0.0), 0.0)
         return sorted((self._refined(f) if f.score > near else f for f in found), key=lambda f: -f.score)
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from deltacal_gen.diagnosis.charges import carriers_of, several
+from deltacal_gen.diagnosis.charges import MARGIN, carriers_of, several
 from deltacal_gen.diagnosis.evidence import evidence
 from deltacal_gen.diagnosis.refits import form, kind, place, refitted, std_of, terms_of
 from deltacal_gen.diagnosis.scattering import scattering
@@ -33,7 +33,6 @@ from deltacal_gen.physics.terms import (
     without_rows,
 )
 
-MARGIN = 10.0  # of chi2, beyond all charges: what an effect must earn to be named, and what is left to be unexplained
 MOST_EFFECTS = 8  # that are searched: more were never told apart
 MOST_WAVES = 3  # single orders among them: what shows at more is one error of many orders
 REVISIONS = 4
@@ -86,7 +85,7 @@ def searched(some: Problem, first: Fit, terms: Sequence[Term], lean: bool, progr
     """Search for what was left out, beside a fit of geometry and instrument."""
     parts = folds(some.readings, some.recording, rows=first.repeats.rows)
     search, considered = _chosen(some, Search(first, terms), progress)
-    if 1 < len(search.effects) <= FEW and _unexplained(search, structures(search.fit), lean):
+    if 1 < len(search.grouped(terms_of(search.fit))) <= FEW and _unexplained(search, structures(search.fit), lean):
         exchanged = _exchanged(some, search)
         search = search if exchanged is search else _chosen(some, exchanged, progress)[0]
     progress("held-out error")
@@ -175,7 +174,7 @@ def deviance(found: Outcome) -> float:
     An instrument that wanders moves readings as effects without limbs do: those pay as much more as such noise does.
     """
     terms = terms_of(found.search.fit)
-    price = sum(found.search.price(t) + MARGIN for t in terms)
+    price = sum(found.search.price(*(terms[i] for i in own)) + MARGIN for own in found.search.grouped(terms))
     price += PRICE * any(not t.limbs for t in terms)
     of_spectrum = 0.0 if found.spectrum is None else 2 * len(found.spectrum.limbs) * found.spectrum.corner + MARGIN
     return deviance_of(found.search.fit) + price + of_spectrum
@@ -264,7 +263,10 @@ def _chosen(problem: Problem, search: Search, progress: Progress) -> tuple[Searc
     terms, considered = search.terms, list[Found]()
     seen: set[frozenset[tuple[object, ...]]] = set()
     given_up = Counter[tuple[object, ...]]()
-    while len(search.effects) < MOST_EFFECTS and (here := frozenset(map(place, terms_of(search.fit)))) not in seen:
+    while (
+        len(search.grouped(there := terms_of(search.fit))) < MOST_EFFECTS
+        and (here := frozenset(map(place, there))) not in seen
+    ):
         seen.add(here)  # what is given up for something else may earn its price beside that, and so on, for ever
         named = search.effects
         progress(f"search {len(named) + 1}: {len(terms)} forms of {len({t.effect for t in terms})} effects")
@@ -272,7 +274,7 @@ def _chosen(problem: Problem, search: Search, progress: Progress) -> tuple[Searc
         considered = considered or ranked
         if not ranked or ranked[0].score < MARGIN or _crowded(search, ranked[0]):
             break
-        better = refitted(problem, search.fit, [*terms_of(search.fit), _first(ranked).term])
+        better = refitted(problem, search.fit, [*there, *_first(ranked).terms])
         if better is None or better.sigma[0] > search.fit.sigma[0] * MUCH_WORSE:
             break  # it did not converge
         search = _revised(problem, Search(better, terms))
@@ -289,33 +291,34 @@ def _exchanged(problem: Problem, search: Search) -> Search:
     is not holds the second to the same mistake, and neither is the worse by itself.
     """
     terms, at = terms_of(search.fit), search.fit
-    for i, j in itertools.combinations(range(len(terms)), 2):
-        own, rest = [terms[i], terms[j]], [t for k, t in enumerate(terms) if k not in (i, j)]
-        freed = search.freed(i, j)
+    for pair_of in itertools.combinations(search.grouped(terms), 2):
+        places = list(itertools.chain(*pair_of))
+        own, rest = [[terms[k] for k in one] for one in pair_of], [t for k, t in enumerate(terms) if k not in places]
+        freed = search.freed(*places)
         tried = [pair for found in freed.ranked()[:RIVALS] if (pair := _paired(freed, found)) is not None]
-        others = [p for p in tried if {*map(place, p)} != {*map(place, own)}]
+        others = [p for p in tried if {*map(place, itertools.chain(*p))} != {*map(place, itertools.chain(*own))}]
         pair = max(others, key=lambda p: _worth(freed, p), default=None)
         if pair is None or _worth(freed, pair) < _worth(freed, own) - NEAR:
             continue
-        other = refitted(problem, at, [*rest, *pair])
+        other = refitted(problem, at, [*rest, *itertools.chain(*pair)])
         if other is None:
             continue
         more = 2 * problem.readings.n_scalars * float(np.log(at.sigma[0] / other.sigma[0]))
-        if more - sum(map(search.price, pair)) + sum(map(search.price, own)) > MARGIN:
+        if more - sum(search.price(*one) for one in pair) + sum(search.price(*one) for one in own) > MARGIN:
             return _revised(problem, Search(other, search.terms))
     return search
 
 
-def _paired(freed: Search, found: Found) -> list[Term] | None:
+def _paired(freed: Search, found: Found) -> list[Sequence[Term]] | None:
     """Return an effect and the one that explains most beside it, the first in the form that is best beside that."""
-    second = freed.added(found.term).ranked()[0].term
-    first = freed.added(second).best(found.term.effect)
-    return None if first.score < MARGIN else [first.term, second]
+    second = freed.added(*found.terms).ranked()[0].terms
+    first = freed.added(*second).best(found.term.effect)
+    return None if first.score < MARGIN else [first.terms, second]
 
 
-def _worth(search: Search, terms: Sequence[Term]) -> float:
-    """Return what effects earn together beyond their prices, in the linear machine."""
-    return search.gain([c for t in terms for c in search.where(t)]) - sum(map(search.price, terms))
+def _worth(search: Search, several: Sequence[Sequence[Term]]) -> float:
+    """Return what findings earn together beyond their prices, in the linear machine."""
+    return search.gain(search.columns_of(*itertools.chain(*several))) - sum(search.price(*own) for own in several)
 
 
 def _first(ranked: Sequence[Found]) -> Found:
@@ -336,7 +339,8 @@ def _crowded(search: Search, best: Found) -> bool:
     A machine that errs at so many orders imitates whatever else varies with its joints: before anything else is looked
     at, all orders are fitted together.
     """
-    return best.term.effect == wave() and sum(name == wave() for name, _ in search.effects) >= MOST_WAVES
+    waves = search.grouped([t for t in terms_of(search.fit) if t.effect == wave()])
+    return best.term.effect == wave() and len(waves) >= MOST_WAVES
 
 
 def _loaded(term: Term) -> bool:
@@ -363,8 +367,7 @@ def _without_gross(problem: Problem, search: Search) -> tuple[Search, list[Struc
 def _revised(problem: Problem, search: Search) -> Search:
     """Look at each effect again with the others held beside it, until none has a better form."""
     for _ in range(REVISIONS):
-        count = len(search.effects)
-        tried = (_better(problem, search, i) for i in range(count))
+        tried = (_better(problem, search, own) for own in search.grouped(terms_of(search.fit)))
         better = next((found for found in tried if found is not None), None)
         if better is None:
             break
@@ -372,37 +375,43 @@ def _revised(problem: Problem, search: Search) -> Search:
     return search
 
 
-def _better(problem: Problem, search: Search, i: int) -> Fit | None:
-    """Return a fit in which what is best, or nothing, stands for an effect; None where it is best as it is.
+def _better(problem: Problem, search: Search, places: Sequence[int]) -> Fit | None:
+    """Return a fit in which what is best, or nothing, stands for a finding; None where it is best as it is.
 
-    What earns more than an effect, but leaves it its price, does not stand for it: it comes beside it.
+    What earns more than a finding, but leaves it its price, does not stand for it: it comes beside it.
     """
-    current, freed = search.fit, search.freed(i)
+    current, freed = search.fit, search.freed(*places)
     chosen, best = terms_of(current), freed.ranked()[0]
-    own, others = chosen[i], chosen[:i] + chosen[i + 1 :]
-    if cannot := beyond(own, std_of(current, i), problem.recording.joint_unit):
-        less = without_rows(own, [c.row for c in cannot])
-        return refitted(problem, current, others if less is None else [*others, less])
+    own, others = [chosen[i] for i in places], [t for i, t in enumerate(chosen) if i not in places]
+    kept = [_possible(t, std_of(current, i), problem) for i, t in zip(places, own, strict=True)]
+    if any(less is not t for less, t in zip(kept, own, strict=True)):
+        return refitted(problem, current, [*others, *filter(None, kept)])
     if best.score < MARGIN:
         return refitted(problem, current, others)
-    if own.effect != wave() and _crowded(search, best):
+    first, *harmonics = own
+    if first.effect != wave() and _crowded(search, best):
         return None
-    if own.kernels.EXTENDS and (simple := _simpler(problem, search, i)) is not None:
+    if first.kernels.EXTENDS and (simple := _simpler(problem, search, places[0])) is not None:
         return simple
-    if (wider := _wider(problem, search, i)) is not None:
+    if not harmonics and (wider := _wider(problem, search, places[0])) is not None:
         return wider
-    if form(best.term) == form(own):
+    if {*map(form, best.terms)} == {*map(form, own)}:
         return None
-    if best.term.effect != own.effect:
-        beside = freed.added(best.term)
-        price = search.price(own)
-        if beside.gain(beside.where(own)) - price > MARGIN:
+    if best.term.effect != first.effect:
+        beside = freed.added(*best.terms)
+        if beside.gain(beside.columns_of(*own)) - search.price(*own) > MARGIN:
             return None
-    other = refitted(problem, current, [*others, best.term])
+    other = refitted(problem, current, [*others, *best.terms])
     if other is None or other.sigma[0] > current.sigma[0] * MUCH_WORSE:
         return None
-    flexible = own.effect == best.term.kernels.EXTENDS
+    flexible = first.effect == best.term.kernels.EXTENDS
     return None if flexible and not _refused(current, other) else other
+
+
+def _possible(own: Term, std: Array, problem: Problem) -> Term | None:
+    """Return an effect on the limbs where its size can be, None where it can on none; itself where it can on all."""
+    cannot = beyond(own, std, problem.recording.joint_unit)
+    return without_rows(own, [c.row for c in cannot]) if cannot else own
 
 
 def _simpler(problem: Problem, search: Search, i: int) -> Fit | None:
@@ -461,15 +470,17 @@ def _proven(problem: Problem, search: Search, rest: Array | None = None) -> Sear
     drop_gross = not search.fit.weights.all()
     while search.effects:
         terms, scatter = terms_of(search.fit), scattering(search.fit)
-        scores = []
-        for i, term in enumerate(terms):
-            beside = search.freed(i) if rest is None else search.freed(i).joined(rest)
-            noisy = scatter.variance if scatter and term.limbs == (scatter.joint,) else 1.0
-            scores.append(beside.gain(beside.where(term)) / noisy - search.price(term))
+        each, scores = search.grouped(terms), []
+        for places in each:
+            own = [terms[i] for i in places]
+            beside = search.freed(*places) if rest is None else search.freed(*places).joined(rest)
+            noisy = scatter.variance if scatter and own[0].limbs == (scatter.joint,) else 1.0
+            scores.append(beside.gain(beside.columns_of(*own)) / noisy - search.price(*own))
         worst = int(np.argmin(scores))
         if scores[worst] > MARGIN:
             break
-        kept = refitted(problem, search.fit, terms[:worst] + terms[worst + 1 :], drop_gross=drop_gross)
+        others = [t for i, t in enumerate(terms) if i not in each[worst]]
+        kept = refitted(problem, search.fit, others, drop_gross=drop_gross)
         if kept is None:
             break
         search = Search(kept, search.terms)
@@ -500,9 +511,9 @@ def held_out_by(problem: Problem, search: Search, parts: Sequence[tuple[np.ndarr
     for train, test in parts:
         part = search.freed(*range(len(final))).within(train)
         chosen: list[Term] = []
-        while len(chosen) < MOST_EFFECTS and (best := part.ranked()[0]).score > MARGIN:
-            chosen.append(best.term)
-            part = part.added(best.term)
+        while len(part.grouped(chosen)) < MOST_EFFECTS and (best := part.ranked()[0]).score > MARGIN:
+            chosen += best.terms
+            part = part.added(*best.terms)
         same = {form(t) for t in chosen} == final.keys()
         terms = [final.get(form(t), t) for t in chosen]
         fitted = search.fit if same else refitted(problem, search.fit, terms)

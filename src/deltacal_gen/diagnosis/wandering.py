@@ -16,10 +16,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from deltacal_gen.diagnosis.beside import Beside
-from deltacal_gen.diagnosis.charges import quantile
+from deltacal_gen.diagnosis.charges import MARGIN, quantile
 from deltacal_gen.diagnosis.components import Components, of_noise, with_fitted
 from deltacal_gen.diagnosis.refits import terms_of
-from deltacal_gen.diagnosis.strategy import MARGIN
 from deltacal_gen.diagnosis.structure import by_instrument
 from deltacal_gen.estimation.fit import Fit
 from deltacal_gen.estimation.problem import Problem

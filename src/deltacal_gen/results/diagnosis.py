@@ -124,6 +124,8 @@ class Effect(Value):
     parameters: tuple[EffectParameter, ...]
     orders: tuple[int, ...] | None = None
     """The first and the last, of a periodic error of many orders."""
+    harmonic_of: float | None = None
+    """Order of the fundamental with which it is one finding: a periodic error that is no sine."""
     p_value: float
     """Probability that noise alone lets the best of all forms of all effects earn so much."""
     gain_chi2: float

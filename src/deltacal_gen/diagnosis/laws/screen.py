@@ -13,10 +13,9 @@ from functools import cache
 
 import numpy as np
 
-from deltacal_gen.diagnosis.charges import MOST_SETS, best_set, gains, quantile
+from deltacal_gen.diagnosis.charges import MARGIN, MOST_SETS, best_set, gains, quantile
 from deltacal_gen.diagnosis.laws.ground import Ground, Place, Tried
 from deltacal_gen.diagnosis.laws.profile import refine
-from deltacal_gen.diagnosis.strategy import MARGIN
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics import grammar
 from deltacal_gen.physics.grammar import Form

@@ -12,12 +12,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from deltacal_gen.diagnosis.charges import MARGIN
 from deltacal_gen.diagnosis.laws.ground import Ground, Tried
 from deltacal_gen.diagnosis.laws.profile import refine
 from deltacal_gen.diagnosis.laws.screen import ranked
 from deltacal_gen.diagnosis.laws.shape import shaped
 from deltacal_gen.diagnosis.refits import refitted, terms_of
-from deltacal_gen.diagnosis.strategy import ALIKE, MARGIN
+from deltacal_gen.diagnosis.strategy import ALIKE
 from deltacal_gen.diagnosis.structure import alike, structures
 from deltacal_gen.estimation.fit import Fit
 from deltacal_gen.estimation.problem import Problem

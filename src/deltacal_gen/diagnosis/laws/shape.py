@@ -14,11 +14,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from deltacal_gen.diagnosis.charges import gains
+from deltacal_gen.diagnosis.charges import MARGIN, gains
 from deltacal_gen.diagnosis.laws.ground import CHUNK, Ground, Place, Tried
 from deltacal_gen.diagnosis.laws.profile import refine
 from deltacal_gen.diagnosis.laws.screen import PART, price
-from deltacal_gen.diagnosis.strategy import MARGIN
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics import grammar
 from deltacal_gen.physics.grammar import CONSTANT, Atom, Curve, Form, renumbered

@@ -1,0 +1,98 @@
+"""Periodic errors that are no sine: the waves of one period, a fundamental and its harmonics, which are one finding.
+
+What repeats k times a turn is a sum of waves of the orders k, 2 k, 3 k, ... (Fourier), of the odd ones alone where its
+second half is the first one turned over: a square wave, a tooth that catches. Taken one by one each harmonic would have
+to earn the price of an order chosen among a hundred, and those that follow an order in size would lie below it. They
+are charged together instead, as coefficients of one form that is chosen among all fundamentals and lengths. That an
+error repeats is claimed only where it was seen to: over more than one period.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from functools import cache
+from typing import NamedTuple
+
+import numpy as np
+
+from deltacal_gen.diagnosis.charges import several
+from deltacal_gen.physics.terms import Term
+
+LONGEST = 10  # waves of one period: what finer ones carry is a few per cent of any shape that a machine has
+LATTICES = (1, 2)  # every multiple of the fundamental, or every second one
+SEEN_TWICE = 1.25  # periods over which joints moved: a quarter of one was then seen twice
+DIGITS = 6  # to which multiples of orders are alike: they differ by rounding
+
+
+def order_of(term: Term) -> float:
+    """Return the order of a wave."""
+    return float(term.constants[0])
+
+
+class Series(NamedTuple):
+    """Fundamentals with some of their harmonics.
+
+    Attributes
+    ----------
+    places : tuple of tuple of int
+        Of each, which of the orders it has, the fundamental first.
+    holds : (S, orders) bool array
+        The same.
+    """
+
+    places: tuple[tuple[int, ...], ...]
+    holds: np.ndarray
+
+
+@cache
+def series(orders: tuple[float, ...]) -> Series:
+    """Return all that is searched.
+
+    Parameters
+    ----------
+    orders : tuple of float
+        That may be taken.
+    """
+    place = {round(order, DIGITS): i for i, order in enumerate(orders)}
+    out: list[tuple[int, ...]] = []
+    for fundamental in orders:
+        for step in LATTICES:
+            own = [place.get(round((1 + step * m) * fundamental, DIGITS)) for m in range(LONGEST)]
+            known = [i for i in own if i is not None]
+            out += [tuple(known[:n]) for n in range(2, len(known) + 1)]
+    unlike = tuple(dict.fromkeys(out))
+    holds = np.zeros((len(unlike), len(orders)), dtype=bool)
+    for s, taken in enumerate(unlike):
+        holds[s, list(taken)] = True
+    return Series(unlike, holds)
+
+
+def lowest_repeating(travel: float) -> float:
+    """Return the lowest order that is seen to repeat by a joint that turns so far [rad]."""
+    return SEEN_TWICE * 2 * math.pi / max(travel, 1e-9)
+
+
+def grouped(terms: Sequence[Term], repeats: Callable[[Term], bool]) -> list[tuple[int, ...]]:
+    """Return which terms are one finding: waves of the same limbs whose orders are multiples of one that repeats.
+
+    Every other term stands alone.
+    """
+    out: list[tuple[int, ...]] = []
+    taken: set[int] = set()
+    waves = sorted((i for i, t in enumerate(terms) if several(t.effect)), key=lambda i: order_of(terms[i]))
+    for i in waves:
+        if i not in taken:
+            others = waves if repeats(terms[i]) else ()
+            own = (i, *(j for j in others if j not in taken and _harmonic(terms[j], terms[i])))
+            taken |= set(own)
+            out.append(own)
+    return sorted([*out, *((i,) for i, t in enumerate(terms) if not several(t.effect))])
+
+
+def _harmonic(term: Term, of: Term) -> bool:
+    """Tell whether a term is a harmonic of a wave, on the same limbs."""
+    if term.effect != of.effect or term.limbs != of.limbs:
+        return False
+    ratio = round(order_of(term) / order_of(of), DIGITS)
+    return ratio.is_integer() and 2 <= ratio <= 1 + LATTICES[-1] * (LONGEST - 1)
