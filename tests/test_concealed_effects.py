@@ -241,7 +241,10 @@ def test_a_search_that_goes_in_circles_ends(monkeypatch: pytest.MonkeyPatch) -> 
     def search(*terms: Term) -> Any:
         fit = SimpleNamespace(sigma=np.ones(1), terms=list(terms))
         ranked = [Found(three, 500.0, 450.0)]
-        return SimpleNamespace(fit=fit, effects=terms, terms=(one, two, three), ranked=lambda: ranked)
+        alone = [(i,) for i in range(len(terms))]
+        return SimpleNamespace(
+            fit=fit, effects=terms, terms=(one, two, three), ranked=lambda: ranked, grouped=lambda terms: alone
+        )
 
     circle = iter([search(two, one), search(one), search(two), search(one), search(two)])
     monkeypatch.setattr(strategy, "terms_of", lambda fit: fit.terms)

@@ -46,18 +46,20 @@ class Series(NamedTuple):
 
 
 @cache
-def series(orders: tuple[float, ...]) -> Series:
+def series(orders: tuple[float, ...], least: float) -> Series:
     """Return all that is searched.
 
     Parameters
     ----------
     orders : tuple of float
         That may be taken.
+    least : float
+        The lowest of them that is a fundamental.
     """
     place = {round(order, DIGITS): i for i, order in enumerate(orders)}
     out: list[tuple[int, ...]] = []
     for fundamental in orders:
-        for step in LATTICES:
+        for step in LATTICES if fundamental >= least else ():
             own = [place.get(round((1 + step * m) * fundamental, DIGITS)) for m in range(LONGEST)]
             known = [i for i in own if i is not None]
             out += [tuple(known[:n]) for n in range(2, len(known) + 1)]
@@ -71,6 +73,17 @@ def series(orders: tuple[float, ...]) -> Series:
 def lowest_repeating(travel: float) -> float:
     """Return the lowest order that is seen to repeat by a joint that turns so far [rad]."""
     return SEEN_TWICE * 2 * math.pi / max(travel, 1e-9)
+
+
+def once(travel: float) -> float:
+    """Return the highest whole order that does not repeat where a joint turns so far [rad]; 0 where all do."""
+    return float(math.floor(2 * math.pi / max(travel, 1e-9)))
+
+
+def is_multiple(order: float, of: float) -> bool:
+    """Tell whether an order is another one, or a harmonic of it."""
+    ratio = round(order / of, DIGITS) if of else 0.5
+    return ratio.is_integer() and ratio >= 1
 
 
 def grouped(terms: Sequence[Term], repeats: Callable[[Term], bool]) -> list[tuple[int, ...]]:
@@ -94,5 +107,5 @@ def _harmonic(term: Term, of: Term) -> bool:
     """Tell whether a term is a harmonic of a wave, on the same limbs."""
     if term.effect != of.effect or term.limbs != of.limbs:
         return False
-    ratio = round(order_of(term) / order_of(of), DIGITS)
-    return ratio.is_integer() and 2 <= ratio <= 1 + LATTICES[-1] * (LONGEST - 1)
+    most = 1 + LATTICES[-1] * (LONGEST - 1)
+    return is_multiple(order_of(term), order_of(of)) and 1.5 < order_of(term) / order_of(of) < most + 0.5

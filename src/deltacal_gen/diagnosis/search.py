@@ -30,7 +30,16 @@ from deltacal_gen.diagnosis.charges import (
     places,
     several,
 )
-from deltacal_gen.diagnosis.harmonics import LONGEST, Series, grouped, lowest_repeating, order_of, series
+from deltacal_gen.diagnosis.harmonics import (
+    LONGEST,
+    Series,
+    grouped,
+    is_multiple,
+    lowest_repeating,
+    once,
+    order_of,
+    series,
+)
 from deltacal_gen.diagnosis.library import SIZE_STEP
 from deltacal_gen.estimation.fit import Fit
 from deltacal_gen.estimation.problem import ROUNDING, Problem
@@ -229,17 +238,23 @@ class Search:
         return charge(first, sum(t.effect == first.effect for t in self.terms))
 
     def _series(self, term: Term) -> Series:
-        """Return the periodic errors of several waves, by the places of their forms."""
-        return series(tuple(order_of(t) for t in self._forms(term.effect)))
+        """Return the periodic errors of several waves that the joints can show, by the places of their forms."""
+        least = lowest_repeating(min(self._travel[i - 1] for i in term.limbs))
+        return series(tuple(order_of(t) for t in self._forms(term.effect)), least)
+
+    def _repeats(self, wave: Term) -> bool:
+        """Tell whether all joints of a wave turned far enough to show that it repeats."""
+        return order_of(wave) >= lowest_repeating(min(self._travel[i - 1] for i in wave.limbs))
 
     @cached_property
-    def _repeating(self) -> Sequence[float]:
-        """Return the lowest order of which each joint saw enough to tell that it repeats."""
+    def _travel(self) -> Sequence[float]:
+        """Return how far each joint turned [rad]."""
         problem = self.fit.problem
         body, rows = problem.body, np.unique(problem.readings.rows)
         nowhere = np.zeros((len(body.q), 12))  # turns do not depend on the pose
         turn = body.state(["turn"], nowhere, body.q, body.mechanism.rows(problem.robot))["turn"][rows]
-        return [lowest_repeating(float(t)) for t in np.ptp(turn, axis=0)]
+        travel: list[float] = np.ptp(turn, axis=0).tolist()
+        return travel
 
     def gain(self, columns: Sequence[int]) -> float:
         """Return by how much columns, fitted together with all that is fitted already, lower chi2."""
@@ -301,35 +316,42 @@ class Search:
         """Return a periodic error with its harmonics, or another one, where these earn more than a wave by itself.
 
         Waves that are fitted already stay, and others of their period come beside them. Of errors that are worth nearly
-        as much as the best the shortest is taken. What explains the most and was not seen to repeat is no periodic
-        error, and no other one stands for it.
+        as much as the best the shortest is taken. Where functions of the joint that do not repeat are worth nearly as
+        much, no period is claimed.
         """
         every = self._forms(found.term.effect)
         free = np.array([key(t) not in self.effects for t in every])
         G, b = self.gram(found.term.effect), self._reach[self._span(found.term.effect)].reshape(len(every), -1)
-        tried: list[tuple[Found, bool]] = []
+        tried: list[Found] = []
         for limbs in dict.fromkeys([found.term.limbs, *((i,) for i in every[0].limbs)]):
             waves = [on_limbs(t, limbs) for t in every]
             own = places(every[0], waves[0])
-            some = self._series(waves[0])
-            holds = some.holds & free
+            holds = self._series(waves[0]).holds & free
             prices = np.array([charge(waves[0], len(holds), n) for n in range(LONGEST + 1)])[holds.sum(axis=1)]
             # waves that share nothing explain no more together than each alone
             most = holds @ gains(G[:, own][:, :, own], b[:, own])
             for s in np.flatnonzero(most > prices + max(found.score, 0.0) + MARGIN):
-                terms = [waves[k] for k in np.flatnonzero(holds[s])]
-                gain = self.gain(self.columns_of(*terms))
-                one = Found(terms[0], gain, gain - float(prices[s]), found.doubt, tuple(terms[1:]))
-                tried.append((one, self._repeats(waves[some.places[s][0]])))
-        best, repeats = max(tried, key=lambda pair: pair[0].score, default=(found, False))
-        if best.score < found.score + MARGIN or not repeats:
+                tried.append(self._together([waves[k] for k in np.flatnonzero(holds[s])], len(holds)))
+        best = max(tried, key=lambda f: f.score, default=found)
+        if best.score < max(found.score, self._once(best)) + MARGIN:
             return found
-        alike = (f for f, repeats in tried if f.score > best.score - MARGIN and repeats)
+        alike = (f for f in tried if f.score > best.score - MARGIN)
         return min(alike, key=lambda f: (len(f.terms) * len(f.term.limbs), -f.score))
 
-    def _repeats(self, fundamental: Term) -> bool:
-        """Tell whether all joints of a periodic error turned far enough to show that it repeats."""
-        return all(order_of(fundamental) >= self._repeating[i - 1] for i in fundamental.limbs)
+    def _together(self, waves: Sequence[Term], forms: int) -> Found:
+        gain = self.gain(self.columns_of(*waves))
+        return Found(waves[0], gain, gain - charge(waves[0], forms, len(waves)), harmonics=tuple(waves[1:]))
+
+    def _once(self, found: Found) -> float:
+        """Return the score of functions as fine as a periodic error that do not repeat where the joints were."""
+        slowest = once(min(self._travel[i - 1] for i in found.term.limbs))
+        top = max(map(order_of, found.terms))
+        lattice = [
+            t for t in self._forms(found.term.effect) if order_of(t) <= top and is_multiple(order_of(t), slowest)
+        ]
+        waves = [on_limbs(t, found.term.limbs) for t in lattice if key(t) not in self.effects]
+        forms = len(self._series(found.term).holds)
+        return max((self._together(waves[:n], forms).score for n in range(1, len(waves) + 1)), default=-np.inf)
 
     def _beyond(self, form: Term, G: Array, b: Array, size: Array) -> list[Beyond]:
         """Return what of a form's best coefficients cannot be."""
