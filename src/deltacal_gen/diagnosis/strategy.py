@@ -368,6 +368,7 @@ def _without_gross(problem: Problem, search: Search) -> tuple[Search, list[Struc
 
 
 def terms_of(at: Fit) -> list[Term]:
+    """Return the effects that a fit left free, with the coefficients it found."""
     return list(at.problem.split(at.errors)[1])
 
 

@@ -247,7 +247,7 @@ class Recording:
         return self.channels.get("payload_kg")
 
     def subset(self, rows: np.ndarray | Sequence[int] | slice) -> Recording:
-        """The recording with these rows only (indices, mask or slice); pairs keep both their rows or go."""
+        """Return the recording with these rows only (indices, mask or slice); pairs keep both their rows or go."""
         rows = np.arange(self.n_rows)[rows]
         per_row = ("joints", "measured", "pose", "line", "setup", "tool", "targets", "contact")
         picked: dict[str, Any] = {name: None if (a := getattr(self, name)) is None else a[rows] for name in per_row}
@@ -261,7 +261,7 @@ class Recording:
         return dataclasses.replace(part, pairs=pairs).subset_pairs((pairs >= 0).all(axis=1))
 
     def subset_pairs(self, pair_rows: np.ndarray | Sequence[int] | slice) -> Recording:
-        """The recording with these distances only (indices, mask or slice), all rows kept."""
+        """Return the recording with these distances only (indices, mask or slice), all rows kept."""
         if self.pairs is None or self.pair_measured is None or self.pair_line is None:
             raise ValueError("this recording holds no distances between rows")
         k = np.arange(len(self.pairs))[pair_rows]
