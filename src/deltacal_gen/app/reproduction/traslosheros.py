@@ -267,9 +267,14 @@ def table_5(true: Array, nominal: Array) -> Sheet:
         a, b = (track(true, assumed, speed, np.random.default_rng(5)) for assumed in (nominal, true))
         d, e = (track(nominal, assumed, speed, np.random.default_rng(5)) for assumed in (nominal, true))
         sheet.add(
-            str(speed), f"{a:.3f}", f"{b:.3f}", f"{100 * (a - b) / a:.2f}", f"{100 * (d - e) / d:.2f}",
-            f"{p}, {c}", f"{100 * (p - c) / p:.2f}",
-        )  # fmt: skip
+            str(speed),
+            f"{a:.3f}",
+            f"{b:.3f}",
+            f"{100 * (a - b) / a:.2f}",
+            f"{100 * (d - e) / d:.2f}",
+            f"{p}, {c}",
+            f"{100 * (p - c) / p:.2f}",
+        )
     return sheet
 
 
