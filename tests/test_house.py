@@ -51,3 +51,8 @@ def test_no_line_is_wider_than_the_page() -> None:
 
 def test_no_formatter_is_switched_off() -> None:
     assert [where for where, line in lines() if SWITCHED_OFF.search(line)] == [], "let data be laid out as data"
+
+
+def test_no_template_edits_what_was_written() -> None:
+    """Text between mathematics and files is made right, not put right: printers and macros are told how to write it."""
+    assert [where for where, line in lines() if where.startswith("templates/") and "replace(" in line] == []

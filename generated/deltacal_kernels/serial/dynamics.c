@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/serial.py by "deltacal kernels". Do not edit.
- * Template templates/chain/dynamics.c.jinja; sha256 of both b584dc37ed7e56eb; SymPy 1.14.0.
+ * Template templates/chain/dynamics.c.jinja; sha256 of both eeae5f884be6fc97; SymPy 1.14.0.
  *
  * The calibrated chain in motion, link by link: a frame in {O} with its first and second derivatives by time, the
  * twists of all behind a joint by it, and what the bodies ask for.
