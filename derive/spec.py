@@ -52,6 +52,7 @@ class Quantity:
 
     @property
     def name(self) -> str:
+        """Public name, ``{i}`` in it standing for the limb."""
         return self.label or str(self.symbol)
 
     def name_of(self, limb: int) -> str:

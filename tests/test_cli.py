@@ -87,10 +87,8 @@ def test_poses_without_a_sidecar_are_read_in_the_robots_frame(run: Run, tmp_path
 
 
 def test_matrix_of_the_paper_has_its_shape_and_rank(run: Run, shop: Path) -> None:
-    code, out, _ = run(
-        "matrix", shop / "robot.toml", shop / "recording.csv", "--model", "delta/36", "--as", "distance",
-        "--scaling", "paper", "-o", shop / "H.npz", "--json",
-    )  # fmt: skip
+    what = ("--model", "delta/36", "--as", "distance", "--scaling", "paper")
+    code, out, _ = run("matrix", shop / "robot.toml", shop / "recording.csv", *what, "-o", shop / "H.npz", "--json")
     assert code == 0
     assert json.loads(out)["rank"] == 32
     with np.load(shop / "H.npz") as saved:

@@ -161,13 +161,25 @@ def papers_change(robot: Robot, target: np.ndarray, theta: np.ndarray, position_
         B_m[i, i] = lhat @ v1
         along = lhat @ w0
         B_r[i, 8 * i : 8 * i + 8] = [
-            lhat @ v1, *lhat, lhat @ u1, along * np.sin(theta[i]), -along * np.cos(theta[i]), 1,
-        ]  # fmt: skip
+            lhat @ v1,
+            *lhat,
+            lhat @ u1,
+            along * np.sin(theta[i]),
+            -along * np.cos(theta[i]),
+            1,
+        ]
         B_e[i, 6 * i : 6 * i + 6] = [1, along, -lhat @ v0, lhat @ u0, -lhat @ v1, lhat @ u1]
         e = {name.rsplit("_", 1)[0]: value for name, value in robot.errors.items() if name.endswith(f"_{i + 1}")}
         p_r[8 * i : 8 * i + 8] = [
-            L * e["theta"], e["ex"], e["ey"], e["ez"], e["L"], L * e["alpha0"], L * e["beta0"], e["l"],
-        ]  # fmt: skip
+            L * e["theta"],
+            e["ex"],
+            e["ey"],
+            e["ez"],
+            e["L"],
+            L * e["alpha0"],
+            L * e["beta0"],
+            e["l"],
+        ]
         if not position_only:
             p_e[6 * i : 6 * i + 6] = [e["dl"] / c, e["dc"] / c, e["alpha03"], e["beta03"], e["alpha2"], e["beta2"]]
     moved = B_r @ p_r if position_only else B_r @ p_r - A_re @ np.linalg.solve(A_ee, B_e @ p_e)

@@ -10,6 +10,7 @@ import sys
 from collections.abc import Iterator
 from importlib.util import cache_from_source
 from pathlib import Path
+from typing import Any
 
 import deltacal_kernels
 import numpy as np
@@ -44,10 +45,10 @@ def package(tmp_path: Path) -> Path:
 
 
 def begin(package: Path) -> subprocess.Popen[str]:
-    tables: dict[str, object] = {}
+    tables: dict[str, Any] = {}
     exec((package / KERNEL / "parameters.py").read_text(), tables)
-    width = sum(len(tables[name]) for name in ("GEOMETRY", "ERRORS", "COMMON", "DEFLECTIONS"))  # type: ignore[arg-type]
-    program = PROGRAM.format(limbs=tables["LIMBS"], width=width, platform=len(tables["PLATFORM"]))  # type: ignore[arg-type]
+    width = sum(len(tables[name]) for name in ("GEOMETRY", "ERRORS", "COMMON", "DEFLECTIONS"))
+    program = PROGRAM.format(limbs=tables["LIMBS"], width=width, platform=len(tables["PLATFORM"]))
     known = {k: v for k, v in os.environ.items() if k != "NUMBA_CACHE_DIR"} | {"PYTHONPATH": str(package.parent)}
     return subprocess.Popen([sys.executable, "-c", program], env=known, stdout=subprocess.PIPE, text=True)
 

@@ -40,9 +40,7 @@ SCHEMA: dict[str, Any] = {  # contract, section 4
         {
             "name": str,
             "limbs": [int],
-            "parameters": [
-                {"name": str, "limb": (int, None), "value": NUMBER, "std": (NUMBER, None), "unit": str}
-            ],
+            "parameters": [{"name": str, "limb": (int, None), "value": NUMBER, "std": (NUMBER, None), "unit": str}],
             "p_value": NUMBER,
             "share_of_excess": NUMBER,
             "indistinguishable_from": [str],
@@ -51,7 +49,7 @@ SCHEMA: dict[str, Any] = {  # contract, section 4
     "final": {"train_rms_mm": NUMBER, "heldout_rms_mm": NUMBER, "chi2_per_dof": NUMBER},
     "rejected": [{"name": str, "why": str}],
     "next_measurements": [{"why": str, "poses": [dict]}],
-}  # fmt: skip
+}
 
 
 def conforms(value: Any, schema: Any, where: str = "") -> None:

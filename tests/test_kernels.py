@@ -214,9 +214,19 @@ def run(kernels: ModuleType, mechanism: Machine, q: np.ndarray, target: np.ndarr
     S, V, status_S = np.empty((n, 6, 48)), np.empty((n, 6, 3)), np.empty(n, dtype=np.int64)
     kernels.sensitivity(at, q, tool, k, S, V, status_S)
     return {
-        "x": x, "status": status, "q_back": q_back, "x_back": x_back, "status_back": status_back,
-        "F": F, "J_x": J_x, "J_q": J_q, "J_p": J_p, "S": S, "V": V, "status_S": status_S,
-    }  # fmt: skip
+        "x": x,
+        "status": status,
+        "q_back": q_back,
+        "x_back": x_back,
+        "status_back": status_back,
+        "F": F,
+        "J_x": J_x,
+        "J_q": J_q,
+        "J_p": J_p,
+        "S": S,
+        "V": V,
+        "status_S": status_S,
+    }
 
 
 @pytest.mark.parametrize("many", [False, True], ids=["one machine", "a machine per pose"])

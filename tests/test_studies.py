@@ -149,10 +149,9 @@ def test_a_suspicion_is_concealed_and_looked_for(robot: Robot, plan: Path, tmp_p
         (tmp_path / f"{name}.toml").write_text(f'[[effects]]\nname = "{name}"\nlimb = 1\n{more}\n')
     suspects = [x for name in ("backlash", "thermal_zero") for x in ("--suspect", tmp_path / f"{name}.toml")]
     out = tmp_path / "study.json"
-    code, text, _ = run(
-        "study", example() / "robot.toml", "--plan", several, "--model", "24", "--trials", "100", *suspects,
-        "--diagnoses", "2", "--workers", "1", "-o", out, "--report", tmp_path / "study.html",
-    )  # fmt: skip
+    what = ("--model", "24", "--trials", "100", "--diagnoses", "2", "--workers", "1")
+    to = ("-o", out, "--report", tmp_path / "study.html")
+    code, text, _ = run("study", example() / "robot.toml", "--plan", several, *what, *suspects, *to)
     assert code == 0, text
     nothing, backlash, warmth = json.loads(out.read_text())["suspects"]
     assert nothing["named_right"] == 2

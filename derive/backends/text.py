@@ -65,6 +65,7 @@ class Lines:
 
     @property
     def all(self) -> list[str]:
+        """Lines of the kernel in the order in which they run."""
         return [*self.loads, *self.assigns, *self.stores]
 
 

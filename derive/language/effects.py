@@ -39,6 +39,7 @@ class EffectQuantity:
 
     @property
     def name(self) -> str:
+        """Public name: in tables, reports and results."""
         return self.label or str(self.symbol)
 
 

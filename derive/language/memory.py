@@ -39,6 +39,7 @@ class Memory:
 
     @property
     def name(self) -> str:
+        """Name by which the kernels know it."""
         return str(self.symbol)
 
 

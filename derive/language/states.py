@@ -107,6 +107,7 @@ class State:
 
     @property
     def name(self) -> str:
+        """Name by which kernels and reports know it."""
         return str(self.symbol)
 
     @property

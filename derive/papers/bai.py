@@ -44,9 +44,8 @@ LETTERS = Dictionary(
 )
 CASES = {"delta": "distances between poses"}  # what the paper reads, as the rank tables call it
 # the unknowns of eqs. (6) and (7) by our names, and what each is in terms of our error
-UNKNOWNS = {"theta": L, "ex": 1, "ey": 1, "ez": 1, "L": 1, "alpha0": L, "beta0": L, "l": 1} | {
-    "dl": 1 / c, "dc": 1 / c, "alpha03": 1, "beta03": 1, "alpha2": 1, "beta2": 1
-}  # fmt: skip
+UNKNOWNS = {"theta": L, "ex": 1, "ey": 1, "ez": 1, "L": 1, "alpha0": L, "beta0": L, "l": 1}
+UNKNOWNS |= {"dl": 1 / c, "dc": 1 / c, "alpha03": 1, "beta03": 1, "alpha2": 1, "beta2": 1}
 PLACE = delta.px, delta.py, delta.pz
 TURN = delta.cx, delta.cy, delta.cz
 

@@ -34,6 +34,7 @@ def typesetting(mechanism: LimbMechanism) -> Shown:
 
 
 def difference(name: str) -> Math:
+    """Return the formula of a source error: a Greek delta before its name, unless that begins with one."""
     formula = ts.name(name)
     return formula if formula.latex.startswith(r"\Delta") else ts.row(ts.letter("delta"), formula)
 

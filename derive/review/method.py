@@ -85,49 +85,69 @@ def _solver_steps() -> list[Step]:
     square = (s * a - c) ** 2
     ridge, prior = square + strength**2 * a**2, square + a**2
     curvature = sp.simplify(2 / sp.diff(prior, a, 2))
-    A, b, values, along, V = _system()
+    A, b, values, _, V = _system()
     posterior = (V * [float(curvature.subs(s, v)) for v in values]) @ V.T
     spread_off = float(np.abs(solvers.Prior().solve(A, b).covariance - posterior).max())
-    kept = sp.Symbol("k", integer=True)
-    c_i = sp.Symbol("c_i", real=True)
-    score = (rest + sp.Sum(c_i**2, (i, kept + 1, 4))) / (m - kept) ** 2
-    left = float(b @ b - along @ along)
-    scores = [(left + float(np.sum(along[j:] ** 2))) / (len(b) - j) ** 2 for j in range(5)]
-    chosen = int(solvers.TSVD("gcv").solve(A, b).factors.sum())
     name = "tests/test_solvers.py::"
     amplitude = sp.Symbol("a", positive=True)
     return [
         Step(
             "Least squares",
-            law("The amplitude of a direction at which the readings miss least.", (amplitude, least(square)),
-                place=of_function(solvers._factored), ends=[solvers.LeastSquares.solve]),
+            law(
+                "The amplitude of a direction at which the readings miss least.",
+                (amplitude, least(square)),
+                place=of_function(solvers._factored),
+                ends=[solvers.LeastSquares.solve],
+            ),
             _solved(solvers.LeastSquares(), least(square)),
             f"{name}test_least_squares_is_scipy_s",
         ),
         Step(
             "Ridge",
-            law("Least where every amplitude costs its square as well: strong directions stay, weak ones shrink.",
-                (amplitude, least(ridge)), ends=[solvers.Ridge.solve]),
+            law(
+                "Least where every amplitude costs its square as well: strong directions stay, weak ones shrink.",
+                (amplitude, least(ridge)),
+                ends=[solvers.Ridge.solve],
+            ),
             _solved(solvers.Ridge(0.2), least(ridge), strength=0.2),
             f"{name}test_ridge_solves_the_augmented_system",
         ),
         Step(
             "Priors",
-            law("Columns count in standard deviations of what is known beforehand, so the cost has the weight one; the "
+            law(
+                "Columns count in standard deviations of what is known beforehand, so the cost has the weight one; the "
                 "posterior variance is twice the inverse curvature.",
-                (amplitude, least(prior)), (sp.Symbol("sigma_a") ** 2, curvature), ends=[solvers.Prior.solve]),
+                (amplitude, least(prior)),
+                (sp.Symbol("sigma_a") ** 2, curvature),
+                ends=[solvers.Prior.solve],
+            ),
             max(_solved(solvers.Prior(), least(prior)), spread_off),
             f"{name}test_a_prior_gives_the_posterior",
         ),
-        Step(
-            "Truncated SVD",
-            law("Of k directions kept, generalised cross-validation weighs what is left, outside the columns and in "
-                "the directions given up, against the readings that are left to tell.", (sp.Symbol("G"), score),
-                ends=[solvers.TSVD.solve]),
-            float(abs(chosen - int(np.argmin(scores)))),
-            f"{name}test_cross_validation_of_a_truncation_is_its_formula",
+        _truncation(),
+    ]
+
+
+def _truncation() -> Step:
+    """Return the score by which a number of directions is chosen."""
+    kept = sp.Symbol("k", integer=True)
+    c_i = sp.Symbol("c_i", real=True)
+    score = (rest + sp.Sum(c_i**2, (i, kept + 1, 4))) / (m - kept) ** 2
+    A, b, _, along, _ = _system()
+    left = float(b @ b - along @ along)
+    scores = [(left + float(np.sum(along[j:] ** 2))) / (len(b) - j) ** 2 for j in range(5)]
+    chosen = int(solvers.TSVD("gcv").solve(A, b).factors.sum())
+    return Step(
+        "Truncated SVD",
+        law(
+            "Of k directions kept, generalised cross-validation weighs what is left, outside the columns and in "
+            "the directions given up, against the readings that are left to tell.",
+            (sp.Symbol("G"), score),
+            ends=[solvers.TSVD.solve],
         ),
-    ]  # fmt: skip
+        float(abs(chosen - int(np.argmin(scores)))),
+        "tests/test_solvers.py::test_cross_validation_of_a_truncation_is_its_formula",
+    )
 
 
 def _rough_and_fine() -> Step:
@@ -212,20 +232,28 @@ def _search_steps() -> list[Step]:
     return [
         Step(
             "Gain of a candidate",
-            law("What columns take from chi2, geometry's and the instrument's share projected out before: G of their "
-                "normal equations, b of what is left.", (gain, (v.T * G.I * v)), ends=[charges.gains]),
+            law(
+                "What columns take from chi2, geometry's and the instrument's share projected out before: G of their "
+                "normal equations, b of what is left.",
+                (gain, (v.T * G.I * v)),
+                ends=[charges.gains],
+            ),
             abs(gains - taken),
             "tests/test_discrimination.py::test_expected_gains_are_those_of_fitting_anew",
         ),
         Step(
             "Charge of a search",
-            law("The largest of so many forms exceeds x by chance no more often than their number times the tail of "
-                "one; the charge is the x at which that is the chance allowed.", (chance, forms * tail),
-                place=of_function(charges.charge), ends=[charges.quantile]),
+            law(
+                "The largest of so many forms exceeds x by chance no more often than their number times the tail of "
+                "one; the charge is the x at which that is the chance allowed.",
+                (chance, forms * tail),
+                place=of_function(charges.charge),
+                ends=[charges.quantile],
+            ),
             abs(float((50 * tail).subs(x, level)) - charges.CHANCE),
             "tests/test_derivation.py::test_the_method_is_what_the_runtime_computes",
         ),
-    ]  # fmt: skip
+    ]
 
 
 def _smooth_steps() -> list[Step]:
@@ -242,21 +270,27 @@ def _smooth_steps() -> list[Step]:
     return [
         Step(
             "Periodic function of a joint",
-            law("Cosine and sine of order n with coefficients of one variance: two angles are alike by the cosine of "
+            law(
+                "Cosine and sine of order n with coefficients of one variance: two angles are alike by the cosine of "
                 "their distance; beyond the corner the variance falls with the fourth power of the order.",
-                (sp.Symbol("k_n"), variance * pair), ends=[spectrum._shape, spectrum._waves]),
+                (sp.Symbol("k_n"), variance * pair),
+                ends=[spectrum._shape, spectrum._waves],
+            ),
             float(max(abs(float(variance.subs({order: int(j), corner: 7.0})) - shape[j - 1]) for j in n)),
             "tests/test_spectrum.py::test_the_error_is_known_to_the_standard_deviation_that_is_stated",
         ),
         Step(
             "Smooth correction",
-            law("A function of one variable of which two values are alike by their distance d over a length l: what it "
-                "displaces is this kernel times coefficients of its knots.", (sp.Symbol("k"), kernel),
-                ends=[correction.Smooth.displacement, correction._kernel]),
+            law(
+                "A function of one variable of which two values are alike by their distance d over a length l: what it "
+                "displaces is this kernel times coefficients of its knots.",
+                (sp.Symbol("k"), kernel),
+                ends=[correction.Smooth.displacement, correction._kernel],
+            ),
             abs(float(kernel.subs({gap: 0.8, length: 0.5})) - float(correction._kernel(values, knots, 0.5)[0, 0])),
             "tests/test_correction.py::test_a_function_fades_over_its_length",
         ),
-    ]  # fmt: skip
+    ]
 
 
 def steps() -> Sequence[Step]:

@@ -209,6 +209,7 @@ def kernels(sources: Sources, file: str) -> list[Kernel]:
 
 
 def table_of(used: Sequence[Kernel], sources: Sources) -> list[dict[str, Any]]:
+    """Return kernels as rows of the page: what they compute, of how many operations, and where they stand."""
     return [
         {
             "name": k.name,

@@ -91,5 +91,6 @@ def applies(effect: str, mechanism: str) -> list[str]:
 
 
 def title_of(mechanism: str) -> str:
+    """Return the title of a mechanism as its committed kernels say it."""
     title: str = importlib.import_module(f"deltacal_kernels.{mechanism}.parameters").TITLE
     return title

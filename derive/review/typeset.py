@@ -33,7 +33,7 @@ class Math:
 
 
 def _joined(left: str, right: str) -> str:
-    """Keep a command such as ``\\cos`` apart from a letter behind it."""
+    r"""Keep a command such as ``\cos`` apart from a letter behind it."""
     apart = re.search(r"\\[A-Za-z]+$", left) and right[:1].isalpha()
     return f"{left} {right}" if apart else left + right
 

@@ -2,7 +2,8 @@
 
 Written by "deltacal kernels". Do not edit.
 
-c = 2 tan(t/2) n is the Cayley vector of a rotation by an angle t about n. ``poses.py`` has the same for poses, compiled.
+c = 2 tan(t/2) n is the Cayley vector of a rotation by an angle t about n. ``poses.py`` has the same for poses,
+compiled.
 """
 
 import numpy as np

@@ -52,5 +52,5 @@ def joint_factors(unit: str, joints: int) -> list[float]:
 
 
 def of_sliding(unit: str) -> tuple[str, float]:
-    """Unit in files, and factor to the internal one, of what moves a sliding joint: read mm for deg and N for Nm."""
+    """Return unit in files and factor to the internal one of what moves a sliding joint: mm for deg, N for Nm."""
     return unit.replace("deg", "mm").replace("Nm", "N"), 1.0

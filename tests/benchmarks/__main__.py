@@ -47,6 +47,11 @@ AT_MOST = {  # time of the kernel to that of scalar Numba by hand: what is asked
     "W6_18kept": 0.35,
     "W6_32kept": 0.35,
 }
+BESIDE = {  # time of the kernel to that of another contender, of a work done in the same run: what is asked for
+    "exact_dh": ("exact_dh", NUMPY, 1.5),
+    "forward_serial": ("forward_delta", KERNEL, 1.8),
+    "sensitivity_serial": ("sensitivity_delta", KERNEL, 2.0),
+}
 CALLS = {  # what a user calls for a work of the manual's table
     "W1s": "`delta.compiled.nominal_sensitivity`",
     "W2_19": "`delta.compiled.distance_rows`",
@@ -68,7 +73,7 @@ SECONDS = {"W7_cold": 2.0, "W7_warm": 0.35}  # time of a user's call: what is as
 ENOUGH_S = 20.0  # what is spent on a work, however slow its contenders; all run twice at least
 TITLE = (
     "median (minimum), times faster than NumPy. ours: the call a user writes; kernel: the part of it that computes; "
-    "NumPy, Numba: by hand, Numba one pose after the other; kernel / Numba: minima"
+    "NumPy, Numba: by hand, Numba one pose after the other; kernel / Numba, or to what is named there: minima"
 )
 
 
@@ -129,6 +134,19 @@ def row(name: str, work: Work, times: dict[str, list[float]]) -> dict[str, Any]:
     }
 
 
+def beside(rows: list[dict[str, Any]]) -> None:
+    """Add to works that are asked for beside others how long their kernels take to those."""
+    found = {r["work"]: r["minimum"] for r in rows}
+    for r in rows:
+        if r["work"] in BESIDE:
+            other, contender, most = BESIDE[r["work"]]
+            r |= {
+                "beside": f"{other}'s {contender}",
+                "kernel_to_it": found[r["work"]][KERNEL] / found[other][contender],
+            }
+            r["at_most"] = most
+
+
 def table(rows: list[dict[str, Any]]) -> Table:
     """Return the table of all works, a column for each contender."""
     out, contenders = Table("work", "what", "unit", title=TITLE), (OURS, KERNEL, NUMPY, NUMBA, *TOOLS)
@@ -138,6 +156,7 @@ def table(rows: list[dict[str, Any]]) -> Table:
         cells = [_cell(r, contender) for contender in contenders]
         against, goal, seconds = r.get("kernel_to_numba"), r.get("at_most"), r.get("at_most_s")
         cells += ["" if against is None else f"{against:.2f}", "" if goal is None else f"{goal:g}"]
+        cells[-2] += f"{r['kernel_to_it']:.2f} of {r['beside']}" if "beside" in r else ""
         cells[-1] += "" if seconds is None else f"ours {seconds:g} s"
         out.add_row(r["work"], r["what"], r["unit"], *cells)
     return out
@@ -210,6 +229,8 @@ def main(arguments: list[str] | None = None) -> int:
     given = parser.parse_args(arguments)
     asked = given.only.split(",")
     names = [name for name in WORKS if name in asked or any(name.startswith(a) and a not in WORKS for a in asked)]
+    others = {BESIDE[name][0] for name in names if name in BESIDE}
+    names = [name for name in WORKS if name in names or name in others]
     if not names:
         parser.error(f"no such work; there are {', '.join(WORKS)}")
     rows, wrong = [], []
@@ -222,6 +243,7 @@ def main(arguments: list[str] | None = None) -> int:
         ]
         rows.append(row(name, work, measure(work, 5 if given.quick else 15, 0.01 if given.quick else 0.05)))
         print(f"    {_told(rows[-1])}", file=sys.stderr, flush=True)
+    beside(rows)
     Console(width=None if sys.stdout.isatty() else 240).print(table(rows))
     if MISSING:
         print(f"Not installed, and left out: {', '.join(MISSING)}; pip install --editable '.[bench]'.", file=sys.stderr)

@@ -66,10 +66,10 @@ def main(arguments: list[str] | None = None) -> int:
                 for path in (poses, recording):
                     _as_parquet(path)
             measured = recording.with_suffix(f".{kind}")
-            _told(f"simulate, {kind}", rows, lambda: simulate(poses.with_suffix(f".{kind}")))  # noqa: B023
-            found = _told(f"identify, {kind}", rows, lambda: streams.identify(ROBOT, measured, "18", passes=1))  # noqa: B023
-            _told(f"predict, {kind}", rows, lambda: streams.predict(found.answer(), measured, predicted))  # noqa: B023
-            _told(f"validate, {kind}", rows, lambda: streams.validate(found.answer(), measured))  # noqa: B023
+            _told(f"simulate, {kind}", rows, simulate, poses.with_suffix(f".{kind}"))
+            found = _told(f"identify, {kind}", rows, streams.identify, ROBOT, measured, "18", passes=1)
+            _told(f"predict, {kind}", rows, streams.predict, found.answer(), measured, predicted)
+            _told(f"validate, {kind}", rows, streams.validate, found.answer(), measured)
     return int(_resident() > ALLOWED_MIB)
 
 
@@ -104,9 +104,9 @@ def _as_parquet(path: Path) -> None:
             sink.write_batch(batch)
 
 
-def _told(what: str, rows: int, run: Callable[[], Any]) -> Any:
+def _told(what: str, rows: int, run: Callable[..., Any], *arguments: Any, **options: Any) -> Any:
     begin = time.process_time()
-    out = run()
+    out = run(*arguments, **options)
     print(f"{what:20s} {rows / (time.process_time() - begin):10.0f} rows/s  {_resident():6.0f} MiB", flush=True)
     return out
 

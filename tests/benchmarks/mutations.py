@@ -235,10 +235,8 @@ class Bench:
     def run(self, *arguments: str) -> tuple[int, str]:
         """Run Python in the worktree; return the exit code, `TOO_SLOW` after `LIMIT` seconds, and what it said."""
         try:
-            done = subprocess.run(
-                [sys.executable, *arguments], cwd=self.folder, env=self.environment, capture_output=True, text=True,
-                timeout=LIMIT,
-            )  # fmt: skip
+            where = {"cwd": self.folder, "env": self.environment, "timeout": LIMIT}
+            done = subprocess.run([sys.executable, *arguments], capture_output=True, text=True, **where)
         except subprocess.TimeoutExpired:
             return TOO_SLOW, ""
         return done.returncode, (done.stdout + done.stderr)

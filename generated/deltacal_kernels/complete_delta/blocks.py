@@ -1,10 +1,10 @@
 """Poses side by side: `complete_delta`, Delta, complete geometry of the six rods.
 
 Generated from derive/mechanisms/complete_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/blocks.py.jinja; sha256 of both 00947b994c72cee4; SymPy 1.14.0.
+Template templates/mechanism/blocks.py.jinja; sha256 of both 0cdfbe293666cb26; SymPy 1.14.0.
 
-The other modules of many poses take them in blocks, and compute with lane arrays, one number a pose, which all lie in one
-array w: first a region for every limb, then what the limbs share. Here a block of what is given is put there.
+The other modules of many poses take them in blocks, and compute with lane arrays, one number a pose, which all lie in
+one array w: first a region for every limb, then what the limbs share. Here a block of what is given is put there.
 """
 
 from deltacal_kernels.straight import straight

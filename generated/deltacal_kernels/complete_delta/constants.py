@@ -1,9 +1,10 @@
 """What no pose changes: `complete_delta`, many machines at once, Delta, complete geometry of the six rods.
 
 Generated from derive/mechanisms/complete_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/constants.py.jinja; sha256 of both 9319ce1000199134; SymPy 1.14.0.
+Template templates/mechanism/constants.py.jinja; sha256 of both 7c04cfeb327e6479; SymPy 1.14.0.
 
-p (M, 3, 25) holds a machine's parameters, one row per limb; a loop over `lane` runs over the limbs of all machines.
+p (M, 3, 25) holds a machine's parameters, one row per limb; a loop over `lane` runs over the limbs
+of all machines.
 """
 
 import math

@@ -1,7 +1,7 @@
 """Dynamics of `complete_delta`, many samples at once: Delta, complete geometry of the six rods.
 
 Generated from derive/mechanisms/complete_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/dynamics.py.jinja; sha256 of both b8a93616ed1e18c7; SymPy 1.14.0.
+Template templates/mechanism/dynamics.py.jinja; sha256 of both 7aa70f236a6f5d50; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the sample first; mm, rad, s, kg, N:
 

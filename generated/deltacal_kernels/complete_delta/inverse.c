@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/complete_delta.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/inverse.c.jinja; sha256 of both 73337998331b17b3; SymPy 1.14.0.
+ * Template templates/mechanism/inverse.c.jinja; sha256 of both b1572cc3133a2686; SymPy 1.14.0.
  *
  * The exact compensator: inverse position of the calibrated machine, by Newton on joints and platform rotation.
  * An export puts the machine's numbers before this text: DELTACAL_K[3][31], DELTACAL_TOOL[3],

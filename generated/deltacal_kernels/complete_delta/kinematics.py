@@ -1,7 +1,7 @@
 """Kinematics of `complete_delta`, many poses at once: Delta, complete geometry of the six rods.
 
 Generated from derive/mechanisms/complete_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both f29049e18c82cdee; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 03810b4eb23746f1; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -10,8 +10,9 @@ q (N, 3)  joints        tool (N or 1, 3)  reference point in {O'}
 p (M, 3, 25)  one row of parameters per limb: b a L l c phi bx_{i}1 by_{i}1 bz_{i}1 ax_{i}1 ay_{i}1 az_{i}1 l_{i}1 bx_{i}2 by_{i}2 bz_{i}2 ax_{i}2 ay_{i}2 az_{i}2 l_{i}2 betax betay betaz tip_v tip_w
 k (M, 3, 77)  what `constants` makes of p; each of the M machines has N / M of the poses, one after the other
 
-Poses are taken in blocks of up to 32, side by side: a loop over `lane` runs over the poses of a block. What is poorly
-conditioned or converges slowly is left to the plain kernels of ``vectorised.py``. `status` says what became of each pose.
+Poses are taken in blocks of up to 32, side by side: a loop over `lane` runs over the poses of a block. What is
+poorly conditioned or converges slowly is left to the plain kernels of ``vectorised.py``. `status` says what became of
+each pose.
 """
 
 import math
@@ -1421,7 +1422,9 @@ def inverse(target, tool, k, x, q, status):
     """
     if _inverse(target, tool, k, x, q, status):
         left = np.flatnonzero(status == OPEN)
-        found, joints, of = np.empty((len(left), 6)), np.empty((len(left), 3)), np.zeros(len(left), dtype=np.int64)
+        found, joints, of = (
+            np.empty((len(left), 6)), np.empty((len(left), 3)), np.zeros(len(left), dtype=np.int64)
+        )
         vectorised.inverse(target[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, joints, of)
         x[left], q[left], status[left] = found, joints, of
 
@@ -1664,7 +1667,10 @@ def simplified_inverse(target, tool, k, q, status):
     """Fill the joints q (N, 3) of the simplified machine, in closed form; see `simplified_forward` and `inverse`."""
     if _simplified_inverse(target, tool, k, q, status):
         left = np.flatnonzero(status == OPEN)
-        found, joints, of = np.empty((len(left), 6)), np.empty((len(left), 3)), np.empty(len(left), dtype=status.dtype)
+        found, joints, of = (
+            np.empty((len(left), 6)), np.empty((len(left), 3)),
+            np.empty(len(left), dtype=status.dtype),
+        )
         inverse(target[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, joints, of)
         q[left], status[left] = joints, of
 
@@ -1744,11 +1750,16 @@ def _products(w, S_p, S_q, status, first, last):
 def sensitivity(x, q, tool, k, S_p, S_q, status):
     """Fill the derivatives of the exact pose: S_p (N, 6, 57) by errors and deflections, S_q (N, 6, 3) by joints.
 
-    Rows are px, py, pz, then turns of the platform about the axes of {O}. Columns of S_p run limb by limb. S_q is the velocity
-    Jacobian.
+    Rows are px, py, pz, then turns of the platform about
+    the axes of {O}. Columns of S_p run limb by limb. S_q is the velocity Jacobian.
     """
     if _sensitivity(x, q, tool, k, S_p, S_q, status):
         left = np.flatnonzero(status == OPEN)
-        by_errors, by_joints, of = np.empty((len(left), 6, 57)), np.empty((len(left), 6, 3)), np.zeros(len(left), dtype=np.int64)
-        vectorised.sensitivity(x[left], q[left], _of(tool, left, len(status)), _of(k, left, len(status)), by_errors, by_joints, of)
+        by_errors, by_joints, of = (
+            np.empty((len(left), 6, 57)), np.empty((len(left), 6, 3)),
+            np.zeros(len(left), dtype=np.int64),
+        )
+        vectorised.sensitivity(
+            x[left], q[left], _of(tool, left, len(status)), _of(k, left, len(status)), by_errors, by_joints, of
+        )
         S_p[left], S_q[left], status[left] = by_errors, by_joints, of

@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/complete_delta.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/linear.c.jinja; sha256 of both 9882387c0880ce9f; SymPy 1.14.0.
+ * Template templates/mechanism/linear.c.jinja; sha256 of both 19de11cffe5da691; SymPy 1.14.0.
  *
  * The linear compensator: nominal joints, and the change that holds the reference point to first order in the errors.
  * An export puts the machine's numbers before this text: DELTACAL_K[3][40], DELTACAL_TOOL[3],

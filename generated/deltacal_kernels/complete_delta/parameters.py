@@ -1,7 +1,7 @@
 """Tables of `complete_delta`: Delta, complete geometry of the six rods.
 
 Generated from derive/mechanisms/complete_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both dff262be5ff1f92f; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both 1e41e62812770f9f; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 

@@ -1,7 +1,7 @@
 """Generalised loads of `complete_delta`: Delta, complete geometry of the six rods.
 
 Generated from derive/mechanisms/complete_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/statics.py.jinja; sha256 of both 932beb739adb7eec; SymPy 1.14.0.
+Template templates/mechanism/statics.py.jinja; sha256 of both 6983ba7ed06a3ea3; SymPy 1.14.0.
 
 Plain NumPy over all poses at once. masses: proximal proximal_com distal_rod platform; payload (N,) in kg at the
 reference point. Every weight has its own acceleration field [m/s^2]: gravity for all, or minus its own acceleration.

@@ -1,7 +1,7 @@
 """Kinematics of `complete_delta` in plain NumPy: Delta, complete geometry of the six rods.
 
 Generated from derive/mechanisms/complete_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/vectorised.py.jinja; sha256 of both 01f93b3c0eb55540; SymPy 1.14.0.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both 84d51c5807c3fd38; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
 small job is done before Numba would be loaded, and the compiled kernels have an independent check.
@@ -992,7 +992,9 @@ def forward(q, tool, k, x, status, warm):
             break
         F, J_x, _ = _closure(x[active], q[active], tool[active], _of(k, active))
         step, regular = _solve(J_x, F[:, None])
-        status[active[~regular]] = np.where(np.abs(F[:, ~regular]).max(axis=0, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE)
+        status[active[~regular]] = np.where(
+            np.abs(F[:, ~regular]).max(axis=0, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE
+        )
         active, step = active[regular], step[:, 0, regular].T
         x[active] -= step
         size = np.abs(step).max(axis=1, initial=0.0)
@@ -1019,7 +1021,9 @@ def inverse(target, tool, k, x, q, status):
         A[range(6), np.arange(6) // 2] = J_q
         A[:, 3:] = J_x[:, 3:]
         step, regular = _solve(A, F[:, None])
-        status[active[~regular]] = np.where(np.abs(F[:, ~regular]).max(axis=0, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE)
+        status[active[~regular]] = np.where(
+            np.abs(F[:, ~regular]).max(axis=0, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE
+        )
         active, step = active[regular], step[:, 0, regular].T
         q[active] -= step[:, :3]
         x[active, 3:] -= step[:, 3:]

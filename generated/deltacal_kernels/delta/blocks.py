@@ -1,10 +1,10 @@
 """Poses side by side: `delta`, Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/blocks.py.jinja; sha256 of both 196076a650fda40c; SymPy 1.14.0.
+Template templates/mechanism/blocks.py.jinja; sha256 of both 753f05cf317e5b1b; SymPy 1.14.0.
 
-The other modules of many poses take them in blocks, and compute with lane arrays, one number a pose, which all lie in one
-array w: first a region for every limb, then what the limbs share. Here a block of what is given is put there.
+The other modules of many poses take them in blocks, and compute with lane arrays, one number a pose, which all lie in
+one array w: first a region for every limb, then what the limbs share. Here a block of what is given is put there.
 """
 
 from deltacal_kernels.straight import straight

@@ -1,9 +1,10 @@
 """What no pose changes: `delta`, many machines at once, Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/constants.py.jinja; sha256 of both 19d633b36585a1a6; SymPy 1.14.0.
+Template templates/mechanism/constants.py.jinja; sha256 of both 7f131917119bc251; SymPy 1.14.0.
 
-p (M, 3, 22) holds a machine's parameters, one row per limb; a loop over `lane` runs over the limbs of all machines.
+p (M, 3, 22) holds a machine's parameters, one row per limb; a loop over `lane` runs over the limbs
+of all machines.
 """
 
 import math

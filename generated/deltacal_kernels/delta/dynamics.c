@@ -1,9 +1,9 @@
 /*
  * Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/dynamics.c.jinja; sha256 of both 9d6a03bcb5bcd108; SymPy 1.14.0.
+ * Template templates/mechanism/dynamics.c.jinja; sha256 of both 60410f6b3e056e42; SymPy 1.14.0.
  *
- * The calibrated machine in motion: joints, their speeds and accelerations by those of the reference point, and what the
- * drives must give. w and d hold a region for each limb, w and s what all limbs share.
+ * The calibrated machine in motion: joints, their speeds and accelerations by those of the reference point, and what
+ * the drives must give. w and d hold a region for each limb, w and s what all limbs share.
  */
 #define LIMB_W 94
 #define LIMB_D 40

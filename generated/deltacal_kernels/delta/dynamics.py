@@ -1,7 +1,7 @@
 """Dynamics of `delta`, many samples at once: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/dynamics.py.jinja; sha256 of both de5bd482382fbc19; SymPy 1.14.0.
+Template templates/mechanism/dynamics.py.jinja; sha256 of both b66887495bd637fe; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the sample first; mm, rad, s, kg, N:
 

@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/inverse.c.jinja; sha256 of both 7c4f7ef7882a600c; SymPy 1.14.0.
+ * Template templates/mechanism/inverse.c.jinja; sha256 of both e0526c2acbc43ed9; SymPy 1.14.0.
  *
  * The exact compensator: inverse position of the calibrated machine, by Newton on joints and platform rotation.
  * An export puts the machine's numbers before this text: DELTACAL_K[3][32], DELTACAL_TOOL[3],

@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/linear.c.jinja; sha256 of both 14da30e66c92e601; SymPy 1.14.0.
+ * Template templates/mechanism/linear.c.jinja; sha256 of both cbe2e331eda6763b; SymPy 1.14.0.
  *
  * The linear compensator: nominal joints, and the change that holds the reference point to first order in the errors.
  * An export puts the machine's numbers before this text: DELTACAL_K[3][35], DELTACAL_TOOL[3],

@@ -1,13 +1,13 @@
 """Derivatives of the nominal machine's position by its errors, many poses at once: `delta`, Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/nominal.py.jinja; sha256 of both d4b4600ca6b910fe; SymPy 1.14.0.
+Template templates/mechanism/nominal.py.jinja; sha256 of both fd97dd6949a08091; SymPy 1.14.0.
 
-Rods of a pair are parallel there, and the platform does not turn, which leaves little of the exact machine's derivatives.
-x (N, 3) is the position of the reference point, q (N, 3) the joints there, tool (N or 1, 3) the reference point in
-{O'}, k from `nominal_constants` of the nominal machine: errors and deflections among its parameters play no part. Poses
-stand side by side as in ``kinematics.py``. The functions return False where the machine is singular at one of the poses,
-or nearly so.
+Rods of a pair are parallel there, and the platform does not turn, which leaves little of the exact machine's
+derivatives. x (N, 3) is the position of the reference point, q (N, 3) the joints there, tool
+(N or 1, 3) the reference point in {O'}, k from `nominal_constants` of the nominal machine: errors and
+deflections among its parameters play no part. Poses stand side by side as in ``kinematics.py``. The functions return
+False where the machine is singular at one of the poses, or nearly so.
 """
 
 import math
@@ -311,7 +311,10 @@ def _chosen_products(w, columns, C, first, last):
     n = (columns.size + 7) // 8 * 8
     for start in range(0, n, 8):
         for lane in range(0, last - first + 1, 8):
-            outer_of(C, 3 * n * (first + lane) + start, 3 * n, n, 3, w, lane, 192, FACTORS, VALUES, columns, start, 1)
+            outer_of(
+                C, 3 * n * (first + lane) + start, 3 * n, n, 3,
+                w, lane, 192, FACTORS, VALUES, columns, start, 1,
+            )
 
 
 @straight

@@ -1,7 +1,7 @@
 """Tables of `delta`: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both 68ae4ee320fc97ce; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both 7f39e49958dcb2e6; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 

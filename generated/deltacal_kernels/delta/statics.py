@@ -1,7 +1,7 @@
 """Generalised loads of `delta`: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/statics.py.jinja; sha256 of both 59fe3286555c8e41; SymPy 1.14.0.
+Template templates/mechanism/statics.py.jinja; sha256 of both 9b616174b1151ee7; SymPy 1.14.0.
 
 Plain NumPy over all poses at once. masses: proximal proximal_com distal_rod platform; payload (N,) in kg at the
 reference point. Every weight has its own acceleration field [m/s^2]: gravity for all, or minus its own acceleration.

@@ -1,10 +1,10 @@
 """Poses side by side: `diamond`, Diamond, two arms in a plane.
 
 Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/blocks.py.jinja; sha256 of both 1e47c3bc8b4e0862; SymPy 1.14.0.
+Template templates/mechanism/blocks.py.jinja; sha256 of both f8f5106fbf27c9ae; SymPy 1.14.0.
 
-The other modules of many poses take them in blocks, and compute with lane arrays, one number a pose, which all lie in one
-array w: first a region for every limb, then what the limbs share. Here a block of what is given is put there.
+The other modules of many poses take them in blocks, and compute with lane arrays, one number a pose, which all lie in
+one array w: first a region for every limb, then what the limbs share. Here a block of what is given is put there.
 """
 
 from deltacal_kernels.straight import straight

@@ -1,9 +1,10 @@
 """What no pose changes: `diamond`, many machines at once, Diamond, two arms in a plane.
 
 Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/constants.py.jinja; sha256 of both d39ee76860b4f914; SymPy 1.14.0.
+Template templates/mechanism/constants.py.jinja; sha256 of both a42d41023ecfc07f; SymPy 1.14.0.
 
-p (M, 2, 13) holds a machine's parameters, one row per limb; a loop over `lane` runs over the limbs of all machines.
+p (M, 2, 13) holds a machine's parameters, one row per limb; a loop over `lane` runs over the limbs
+of all machines.
 """
 
 import math

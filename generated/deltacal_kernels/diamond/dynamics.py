@@ -1,7 +1,7 @@
 """Dynamics of `diamond`, many samples at once: Diamond, two arms in a plane.
 
 Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/dynamics.py.jinja; sha256 of both 0ecd50da4bddc975; SymPy 1.14.0.
+Template templates/mechanism/dynamics.py.jinja; sha256 of both 6bcb50d852ee3ed4; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the sample first; mm, rad, s, kg, N:
 

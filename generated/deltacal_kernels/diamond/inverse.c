@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/inverse.c.jinja; sha256 of both 6c28b0e9ae014c2d; SymPy 1.14.0.
+ * Template templates/mechanism/inverse.c.jinja; sha256 of both 86c2398e7402b1ad; SymPy 1.14.0.
  *
  * The exact compensator: inverse position of the calibrated machine, by Newton on joints and platform rotation.
  * An export puts the machine's numbers before this text: DELTACAL_K[2][9], DELTACAL_TOOL[3],

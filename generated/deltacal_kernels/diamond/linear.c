@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/linear.c.jinja; sha256 of both 662ffd01322951e4; SymPy 1.14.0.
+ * Template templates/mechanism/linear.c.jinja; sha256 of both 5fe71c158ba610f2; SymPy 1.14.0.
  *
  * The linear compensator: nominal joints, and the change that holds the reference point to first order in the errors.
  * An export puts the machine's numbers before this text: DELTACAL_K[2][13], DELTACAL_TOOL[3],

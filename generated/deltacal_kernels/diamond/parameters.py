@@ -1,7 +1,7 @@
 """Tables of `diamond`: Diamond, two arms in a plane.
 
 Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both c354b8274ef1095f; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both b92fba8ce4f88713; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 

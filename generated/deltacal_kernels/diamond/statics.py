@@ -1,7 +1,7 @@
 """Generalised loads of `diamond`: Diamond, two arms in a plane.
 
 Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/statics.py.jinja; sha256 of both bdda6cbe5368db11; SymPy 1.14.0.
+Template templates/mechanism/statics.py.jinja; sha256 of both 57b4e9777f375cd4; SymPy 1.14.0.
 
 Plain NumPy over all poses at once. masses: proximal proximal_com distal_rod platform; payload (N,) in kg at the
 reference point. Every weight has its own acceleration field [m/s^2]: gravity for all, or minus its own acceleration.

@@ -1,7 +1,7 @@
 """Kinematics of `diamond` in plain NumPy: Diamond, two arms in a plane.
 
 Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/vectorised.py.jinja; sha256 of both 47793ae884a88ec2; SymPy 1.14.0.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both 2cf197764640594b; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
 small job is done before Numba would be loaded, and the compiled kernels have an independent check.
@@ -289,7 +289,9 @@ def forward(q, tool, k, x, status, warm):
             break
         F, J_x, _ = _closure(x[active], q[active], tool[active], _of(k, active))
         step, regular = _solve(J_x, F[:, None])
-        status[active[~regular]] = np.where(np.abs(F[:, ~regular]).max(axis=0, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE)
+        status[active[~regular]] = np.where(
+            np.abs(F[:, ~regular]).max(axis=0, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE
+        )
         active, step = active[regular], step[:, 0, regular].T
         x[active] -= step
         size = np.abs(step).max(axis=1, initial=0.0)
@@ -316,7 +318,9 @@ def inverse(target, tool, k, x, q, status):
         A[range(2), np.arange(2) // 1] = J_q
         A[:, 2:] = J_x[:, 2:]
         step, regular = _solve(A, F[:, None])
-        status[active[~regular]] = np.where(np.abs(F[:, ~regular]).max(axis=0, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE)
+        status[active[~regular]] = np.where(
+            np.abs(F[:, ~regular]).max(axis=0, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE
+        )
         active, step = active[regular], step[:, 0, regular].T
         q[active] -= step[:, :2]
         x[active, 2:] -= step[:, 2:]

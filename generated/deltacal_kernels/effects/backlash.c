@@ -1,6 +1,6 @@
 /*
  * Generated from derive/effects/backlash.py by "deltacal kernels". Do not edit.
- * Template templates/effect.c.jinja; sha256 of both c348f39c01d6104c; SymPy 1.14.0.
+ * Template templates/effect.c.jinja; sha256 of both 5b9f0203b60a2324; SymPy 1.14.0.
  *
  * Play, flips with the direction of approach: by how much the joint is moved [rad or mm].
  * State s: approach; units mm, rad, N, s, K.

@@ -1,7 +1,7 @@
 """The bed is not flat.
 
 Generated from derive/effects/bed_shape.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 28b27c3e18bbf74e; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 69bf797e273734f6; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 3): b x y;
 coefficients c (M or 1, 9); constants, one number each. Units mm, rad, N, s, K.

@@ -1,7 +1,7 @@
 """Column leans the more, the higher it is.
 
 Generated from derive/effects/column_lean.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 1b7d8fb04a014c81; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both a0b5efa02028a71f; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 7): q on_side_x on_side_y on_tilt_x on_tilt_y foot slides;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.

@@ -1,6 +1,6 @@
 /*
  * Generated from derive/effects/coulomb_friction.py by "deltacal kernels". Do not edit.
- * Template templates/effect.c.jinja; sha256 of both b21ce96a291e4046; SymPy 1.14.0.
+ * Template templates/effect.c.jinja; sha256 of both ad0f73933c444470; SymPy 1.14.0.
  *
  * Dry friction: what the drive gives.
  * State s: qd; units mm, rad, N, s, K.

@@ -1,7 +1,7 @@
 """Dry friction.
 
 Generated from derive/effects/coulomb_friction.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 0f7d02c95a7cc348; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both d110449fce2f9623; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): qd;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.

@@ -1,7 +1,7 @@
 """Rods stretch.
 
 Generated from derive/effects/distal_compliance.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both d0b69d92db8e5909; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 79f86e88d3c310e5; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): tension_1 tension_2;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.

@@ -1,7 +1,7 @@
 """Rods of a pair differ and tilt the effector.
 
 Generated from derive/effects/effector_tilt.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 9d4197f8a7ded02c; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both ad9e7a98873f3c58; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 0): nothing;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.

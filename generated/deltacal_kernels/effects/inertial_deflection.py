@@ -1,7 +1,7 @@
 """Joint twists with acceleration.
 
 Generated from derive/effects/inertial_deflection.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both afd7e8ec0a2ae227; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both de6f4bf559e4cbab; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): inertia_torque;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.

@@ -1,7 +1,7 @@
 """A measured point is not where it is said to be.
 
 Generated from derive/effects/instrument_offset.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 0d3bc709da0a1c27; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 862dcaa4862b3765; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 0): nothing;
 coefficients c (M or 1, 3); constants, one number each. Units mm, rad, N, s, K.

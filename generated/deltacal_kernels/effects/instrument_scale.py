@@ -1,7 +1,7 @@
 """The instrument's length scale is wrong.
 
 Generated from derive/effects/instrument_scale.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both cc342fd7ece4c911; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 0a26c50ab4b1a6d1; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 4): y_x y_y y_z y_length;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.

@@ -1,7 +1,7 @@
 """The instrument slips once.
 
 Generated from derive/effects/instrument_slip.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both ea6f1cb842353674; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 39d7050d0dea34da; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): after;
 coefficients c (M or 1, 3); constants, one number each. Units mm, rad, N, s, K.

@@ -1,7 +1,7 @@
 """The joint's centre orbits with its angle.
 
 Generated from derive/effects/joint_axis_runout.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 176ba561e0c33ebe; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both f8ed9b50318263d7; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): theta;
 coefficients c (M or 1, 2); constants, one number each. Units mm, rad, N, s, K.

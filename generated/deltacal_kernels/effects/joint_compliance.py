@@ -1,7 +1,7 @@
 """Joint or gearbox twists under the load.
 
 Generated from derive/effects/joint_compliance.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 115fe88f8f990380; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both b29232a2c80fea51; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): torque;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.

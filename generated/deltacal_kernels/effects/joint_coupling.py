@@ -1,7 +1,7 @@
 """The joint moves with another one.
 
 Generated from derive/effects/joint_coupling.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 9d4efad2df1b4f2f; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both ca25aade030a000b; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): q_other;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.

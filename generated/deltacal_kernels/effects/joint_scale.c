@@ -1,6 +1,6 @@
 /*
  * Generated from derive/effects/joint_scale.py by "deltacal kernels". Do not edit.
- * Template templates/effect.c.jinja; sha256 of both 4cc06dccaf64bd6e; SymPy 1.14.0.
+ * Template templates/effect.c.jinja; sha256 of both 335acca1d7146733; SymPy 1.14.0.
  *
  * Gear ratio or encoder scale is off: by how much the joint is moved [rad or mm].
  * State s: q; units mm, rad, N, s, K.

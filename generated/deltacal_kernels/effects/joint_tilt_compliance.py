@@ -1,7 +1,7 @@
 """Joint's axis tilts under the moment across it.
 
 Generated from derive/effects/joint_tilt_compliance.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 140d29c27fc6a4ca; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both a201738a9baf4564; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): on_tilt_x on_tilt_y;
 coefficients c (M or 1, 2); constants, one number each. Units mm, rad, N, s, K.

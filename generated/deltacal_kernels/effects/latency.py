@@ -1,7 +1,7 @@
 """The position lags the joints.
 
 Generated from derive/effects/latency.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 8a54f4c13242226e; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 5d2ca1efd73545f1; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): qd qdd;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.

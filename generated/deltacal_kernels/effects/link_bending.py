@@ -1,7 +1,7 @@
 """Link bends across its line under what it carries.
 
 Generated from derive/effects/link_bending.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both f5c64ae354594f44; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both ee3d889e8a85de30; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): on_bend_v on_bend_w;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.

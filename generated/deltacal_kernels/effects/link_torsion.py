@@ -1,7 +1,7 @@
 """Link twists about its line under what it carries.
 
 Generated from derive/effects/link_torsion.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 8e3a8e27760869e4; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 27330856bfaff260; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): on_twist;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.

@@ -1,6 +1,6 @@
 /*
  * Generated from derive/effects/load_friction.py by "deltacal kernels". Do not edit.
- * Template templates/effect.c.jinja; sha256 of both 28e7e997cbf80e8f; SymPy 1.14.0.
+ * Template templates/effect.c.jinja; sha256 of both 49743f5b27d794bf; SymPy 1.14.0.
  *
  * Friction that grows with the load: what the drive gives.
  * State s: qd torque; units mm, rad, N, s, K.

@@ -1,7 +1,7 @@
 """Friction that grows with the load.
 
 Generated from derive/effects/load_friction.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both d0feef435d476b2f; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 54abbc9fbe9e2f6b; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): qd torque;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.

@@ -1,7 +1,7 @@
 """The joint's axis tilts as a recorded column says.
 
 Generated from derive/effects/part_tilt.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 98c44f11213d2c2c; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 4107e196d981518c; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): recorded;
 coefficients c (M or 1, 2); constants, one number each. Units mm, rad, N, s, K.

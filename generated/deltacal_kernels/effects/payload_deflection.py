@@ -1,7 +1,7 @@
 """Joint twists under the payload.
 
 Generated from derive/effects/payload_deflection.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both dc53a86fc1b93f15; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 02185dd53bc9e39e; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): payload_torque;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.

@@ -1,6 +1,6 @@
 /*
  * Generated from derive/effects/presliding_friction.py by "deltacal kernels". Do not edit.
- * Template templates/effect.c.jinja; sha256 of both 253052d6f68f0617; SymPy 1.14.0.
+ * Template templates/effect.c.jinja; sha256 of both 7ec6c10a03bc3bb9; SymPy 1.14.0.
  *
  * Dry friction that builds up over a way: what the drive gives.
  * State s: qd; units mm, rad, N, s, K.

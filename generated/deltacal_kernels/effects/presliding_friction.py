@@ -1,7 +1,7 @@
 """Dry friction that builds up over a way.
 
 Generated from derive/effects/presliding_friction.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 10f915966ee0acfe; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both f5e925dfb7b14c76; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): qd;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.

@@ -1,6 +1,6 @@
 /*
  * Generated from derive/effects/quadratic_friction.py by "deltacal kernels". Do not edit.
- * Template templates/effect.c.jinja; sha256 of both 34f4157dd5e0d957; SymPy 1.14.0.
+ * Template templates/effect.c.jinja; sha256 of both 7e949202dc6c41d9; SymPy 1.14.0.
  *
  * Friction by the square of the speed: what the drive gives.
  * State s: qd; units mm, rad, N, s, K.

@@ -1,7 +1,7 @@
 """Friction by the square of the speed.
 
 Generated from derive/effects/quadratic_friction.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 3ca1e2ff9b60b27e; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 53c3f00b108b907f; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): qd;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.

@@ -1,6 +1,6 @@
 /*
  * Generated from derive/effects/rotor_inertia.py by "deltacal kernels". Do not edit.
- * Template templates/effect.c.jinja; sha256 of both 15d81bd16214f510; SymPy 1.14.0.
+ * Template templates/effect.c.jinja; sha256 of both aba85ef353940cb1; SymPy 1.14.0.
  *
  * Inertia of the drive: what the drive gives.
  * State s: qdd; units mm, rad, N, s, K.

@@ -1,7 +1,7 @@
 """Inertia of the drive.
 
 Generated from derive/effects/rotor_inertia.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 51286470f6c45091; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 7b3e1d411f9ac22a; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): qdd;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.

@@ -1,7 +1,7 @@
 """Joint gives way under the load, less and less.
 
 Generated from derive/effects/saturating_compliance.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 2dd878691c2f9b09; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 05350224e80cef96; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): torque;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.

@@ -1,6 +1,6 @@
 /*
  * Generated from derive/effects/stribeck_friction.py by "deltacal kernels". Do not edit.
- * Template templates/effect.c.jinja; sha256 of both e3dc255167f50785; SymPy 1.14.0.
+ * Template templates/effect.c.jinja; sha256 of both 57c1e1b82318f083; SymPy 1.14.0.
  *
  * More friction near rest than in motion: what the drive gives.
  * State s: qd; units mm, rad, N, s, K.

@@ -1,7 +1,7 @@
 """More friction near rest than in motion.
 
 Generated from derive/effects/stribeck_friction.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both f687efc56652bb1a; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both b7621125aebc3948; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): qd;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.

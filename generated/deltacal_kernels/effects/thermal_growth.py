@@ -1,7 +1,7 @@
 """Links and base grow with temperature.
 
 Generated from derive/effects/thermal_growth.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 312d88c318b3c44f; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both c7921676486d50c3; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 4): warming L l b;
 coefficients c (M or 1, 3); constants, one number each. Units mm, rad, N, s, K.

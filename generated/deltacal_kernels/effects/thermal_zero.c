@@ -1,6 +1,6 @@
 /*
  * Generated from derive/effects/thermal_zero.py by "deltacal kernels". Do not edit.
- * Template templates/effect.c.jinja; sha256 of both 24573d056c279af5; SymPy 1.14.0.
+ * Template templates/effect.c.jinja; sha256 of both 2dbb40a72d104396; SymPy 1.14.0.
  *
  * Joint zero moves with temperature: by how much the joint is moved [rad or mm].
  * State s: warming; units mm, rad, N, s, K.

@@ -1,7 +1,7 @@
 """Joint zero moves with temperature.
 
 Generated from derive/effects/thermal_zero.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 52126f874fc3c9d7; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 875a12d59e602d23; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): warming;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.

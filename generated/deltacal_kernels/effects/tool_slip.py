@@ -1,7 +1,7 @@
 """The measured point slips on the platform once.
 
 Generated from derive/effects/tool_slip.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 9186b0e9cfe119ea; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both ddad5736d23805c4; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): after;
 coefficients c (M or 1, 3); constants, one number each. Units mm, rad, N, s, K.

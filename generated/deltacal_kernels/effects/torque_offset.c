@@ -1,6 +1,6 @@
 /*
  * Generated from derive/effects/torque_offset.py by "deltacal kernels". Do not edit.
- * Template templates/effect.c.jinja; sha256 of both 151bb35110a4e489; SymPy 1.14.0.
+ * Template templates/effect.c.jinja; sha256 of both 4eaeee3b761b7f4a; SymPy 1.14.0.
  *
  * Constant torque: what the drive gives.
  * State s: ; units mm, rad, N, s, K.

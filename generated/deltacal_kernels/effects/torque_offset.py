@@ -1,7 +1,7 @@
 """Constant torque.
 
 Generated from derive/effects/torque_offset.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both a92d9358a1c59134; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 4b90322b1d4eb4ff; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 0): nothing;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.

@@ -1,6 +1,6 @@
 /*
  * Generated from derive/effects/torque_ripple.py by "deltacal kernels". Do not edit.
- * Template templates/effect.c.jinja; sha256 of both e3abdba71ed375b7; SymPy 1.14.0.
+ * Template templates/effect.c.jinja; sha256 of both b385d4f40316a826; SymPy 1.14.0.
  *
  * Torque that repeats with the turn of the joint: what the drive gives.
  * State s: turn; units mm, rad, N, s, K.

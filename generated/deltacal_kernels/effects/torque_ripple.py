@@ -1,7 +1,7 @@
 """Torque that repeats with the turn of the joint.
 
 Generated from derive/effects/torque_ripple.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 87b8582f3f65ccd1; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both c57d48c765b6f108; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): turn;
 coefficients c (M or 1, 2); constants, one number each. Units mm, rad, N, s, K.

@@ -1,7 +1,7 @@
 """The towers lean.
 
 Generated from derive/effects/tower_lean.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both a5736a9913a2ed5c; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 29cac73184274850; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 0): nothing;
 coefficients c (M or 1, 2); constants, one number each. Units mm, rad, N, s, K.

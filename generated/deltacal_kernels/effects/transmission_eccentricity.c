@@ -1,6 +1,6 @@
 /*
  * Generated from derive/effects/transmission_eccentricity.py by "deltacal kernels". Do not edit.
- * Template templates/effect.c.jinja; sha256 of both 6cd9f3975e445a06; SymPy 1.14.0.
+ * Template templates/effect.c.jinja; sha256 of both bd0031a8e5bb9306; SymPy 1.14.0.
  *
  * Periodic error of the transmission: by how much the joint is moved [rad or mm].
  * State s: turn; units mm, rad, N, s, K.

@@ -1,7 +1,7 @@
 """Periodic error of the transmission.
 
 Generated from derive/effects/transmission_eccentricity.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 2de9a9717a76d4ce; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 39a28a7deba569f3; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): turn;
 coefficients c (M or 1, 2); constants, one number each. Units mm, rad, N, s, K.

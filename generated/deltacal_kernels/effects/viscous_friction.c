@@ -1,6 +1,6 @@
 /*
  * Generated from derive/effects/viscous_friction.py by "deltacal kernels". Do not edit.
- * Template templates/effect.c.jinja; sha256 of both dfacb2e82a5c6c74; SymPy 1.14.0.
+ * Template templates/effect.c.jinja; sha256 of both b86012a3f5edca2b; SymPy 1.14.0.
  *
  * Friction that grows with the speed: what the drive gives.
  * State s: qd; units mm, rad, N, s, K.

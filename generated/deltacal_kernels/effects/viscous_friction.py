@@ -1,7 +1,7 @@
 """Friction that grows with the speed.
 
 Generated from derive/effects/viscous_friction.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both b39b11fd81528495; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 5853fe2daa2e57c9; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): qd;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.

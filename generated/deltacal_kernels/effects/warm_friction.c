@@ -1,6 +1,6 @@
 /*
  * Generated from derive/effects/warm_friction.py by "deltacal kernels". Do not edit.
- * Template templates/effect.c.jinja; sha256 of both c9b596df46e88ab3; SymPy 1.14.0.
+ * Template templates/effect.c.jinja; sha256 of both 7f6aea952aa7c37e; SymPy 1.14.0.
  *
  * Friction that changes with the temperature: what the drive gives.
  * State s: qd warming; units mm, rad, N, s, K.

@@ -1,7 +1,7 @@
 """Friction that changes with the temperature.
 
 Generated from derive/effects/warm_friction.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both fbb837f4001765c8; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 491d66e8b364c575; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): qd warming;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.

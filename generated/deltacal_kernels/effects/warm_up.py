@@ -1,7 +1,7 @@
 """The joint's zero creeps while the machine warms up.
 
 Generated from derive/effects/warm_up.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both e6b8bf8663d47562; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 6cb7f925fc079743; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): passed;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.

@@ -1,6 +1,6 @@
 /*
  * Generated from derive/effects/zero_drift.py by "deltacal kernels". Do not edit.
- * Template templates/effect.c.jinja; sha256 of both a65e16765e47ebd6; SymPy 1.14.0.
+ * Template templates/effect.c.jinja; sha256 of both e3d18371e4604865; SymPy 1.14.0.
  *
  * Joint zero moves with time: by how much the joint is moved [rad or mm].
  * State s: time; units mm, rad, N, s, K.

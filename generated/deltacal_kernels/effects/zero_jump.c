@@ -1,6 +1,6 @@
 /*
  * Generated from derive/effects/zero_jump.py by "deltacal kernels". Do not edit.
- * Template templates/effect.c.jinja; sha256 of both 8605094cf415caaf; SymPy 1.14.0.
+ * Template templates/effect.c.jinja; sha256 of both 80c25d85eb6342a8; SymPy 1.14.0.
  *
  * Joint zero jumps once: by how much the joint is moved [rad or mm].
  * State s: after; units mm, rad, N, s, K.

@@ -1,9 +1,10 @@
 """What no pose changes: `hexapod`, many machines at once, Hexapod of Gough and Stewart, six legs.
 
 Generated from derive/mechanisms/hexapod.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/constants.py.jinja; sha256 of both 28d6b2d876a62765; SymPy 1.14.0.
+Template templates/mechanism/constants.py.jinja; sha256 of both 9f2e90fca0d41f38; SymPy 1.14.0.
 
-p (M, 6, 15) holds a machine's parameters, one row per limb; a loop over `lane` runs over the limbs of all machines.
+p (M, 6, 15) holds a machine's parameters, one row per limb; a loop over `lane` runs over the limbs
+of all machines.
 """
 
 import math

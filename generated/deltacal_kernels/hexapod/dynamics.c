@@ -1,9 +1,9 @@
 /*
  * Generated from derive/mechanisms/hexapod.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/dynamics.c.jinja; sha256 of both 18f906926bab6415; SymPy 1.14.0.
+ * Template templates/mechanism/dynamics.c.jinja; sha256 of both e53208201dad9278; SymPy 1.14.0.
  *
- * The calibrated machine in motion: joints, their speeds and accelerations by those of the reference point, and what the
- * drives must give. w and d hold a region for each limb, w and s what all limbs share.
+ * The calibrated machine in motion: joints, their speeds and accelerations by those of the reference point, and what
+ * the drives must give. w and d hold a region for each limb, w and s what all limbs share.
  */
 #define LIMB_W 49
 #define LIMB_D 39

@@ -1,7 +1,7 @@
 """Dynamics of `hexapod`, many samples at once: Hexapod of Gough and Stewart, six legs.
 
 Generated from derive/mechanisms/hexapod.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/dynamics.py.jinja; sha256 of both eca5dc97ec6da361; SymPy 1.14.0.
+Template templates/mechanism/dynamics.py.jinja; sha256 of both e40ef027afd81888; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the sample first; mm, rad, s, kg, N:
 

@@ -1,7 +1,7 @@
 """Tables of `hexapod`: Hexapod of Gough and Stewart, six legs.
 
 Generated from derive/mechanisms/hexapod.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both e8cc87c0ec7d3b3b; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both f23ef9e92bd4b9b3; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 

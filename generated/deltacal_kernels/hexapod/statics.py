@@ -1,7 +1,7 @@
 """Generalised loads of `hexapod`: Hexapod of Gough and Stewart, six legs.
 
 Generated from derive/mechanisms/hexapod.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/statics.py.jinja; sha256 of both 0a4b3a51147c14b5; SymPy 1.14.0.
+Template templates/mechanism/statics.py.jinja; sha256 of both 211280fb2621198b; SymPy 1.14.0.
 
 Plain NumPy over all poses at once. masses: proximal proximal_com distal_rod platform; payload (N,) in kg at the
 reference point. Every weight has its own acceleration field [m/s^2]: gravity for all, or minus its own acceleration.

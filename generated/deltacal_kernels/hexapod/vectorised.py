@@ -1,7 +1,7 @@
 """Kinematics of `hexapod` in plain NumPy: Hexapod of Gough and Stewart, six legs.
 
 Generated from derive/mechanisms/hexapod.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/vectorised.py.jinja; sha256 of both f8e9e61bc5e7a2a3; SymPy 1.14.0.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both 514126c310bb0bec; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
 small job is done before Numba would be loaded, and the compiled kernels have an independent check.
@@ -407,7 +407,9 @@ def forward(q, tool, k, x, status, warm):
             break
         F, J_x, _ = _closure(x[active], q[active], tool[active], _of(k, active))
         step, regular = _solve(J_x, F[:, None])
-        status[active[~regular]] = np.where(np.abs(F[:, ~regular]).max(axis=0, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE)
+        status[active[~regular]] = np.where(
+            np.abs(F[:, ~regular]).max(axis=0, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE
+        )
         active, step = active[regular], step[:, 0, regular].T
         x[active] -= step
         size = np.abs(step).max(axis=1, initial=0.0)
@@ -434,7 +436,9 @@ def inverse(target, tool, k, x, q, status):
         A[range(6), np.arange(6) // 1] = J_q
         A[:, 6:] = J_x[:, 6:]
         step, regular = _solve(A, F[:, None])
-        status[active[~regular]] = np.where(np.abs(F[:, ~regular]).max(axis=0, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE)
+        status[active[~regular]] = np.where(
+            np.abs(F[:, ~regular]).max(axis=0, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE
+        )
         active, step = active[regular], step[:, 0, regular].T
         q[active] -= step[:, :6]
         x[active, 6:] -= step[:, 6:]

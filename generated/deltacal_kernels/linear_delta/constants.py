@@ -1,9 +1,10 @@
 """What no pose changes: `linear_delta`, many machines at once, Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/constants.py.jinja; sha256 of both f839d02773efa245; SymPy 1.14.0.
+Template templates/mechanism/constants.py.jinja; sha256 of both b6cda485c581688d; SymPy 1.14.0.
 
-p (M, 3, 16) holds a machine's parameters, one row per limb; a loop over `lane` runs over the limbs of all machines.
+p (M, 3, 16) holds a machine's parameters, one row per limb; a loop over `lane` runs over the limbs
+of all machines.
 """
 
 import math

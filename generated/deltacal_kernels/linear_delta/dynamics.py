@@ -1,7 +1,7 @@
 """Dynamics of `linear_delta`, many samples at once: Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/dynamics.py.jinja; sha256 of both ba7ede75fe56fd29; SymPy 1.14.0.
+Template templates/mechanism/dynamics.py.jinja; sha256 of both 3e29bb078e2716fa; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the sample first; mm, rad, s, kg, N:
 

@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/inverse.c.jinja; sha256 of both 5c8b135e7c21ffb5; SymPy 1.14.0.
+ * Template templates/mechanism/inverse.c.jinja; sha256 of both 8df5f5952b5f2efa; SymPy 1.14.0.
  *
  * The exact compensator: inverse position of the calibrated machine, by Newton on joints and platform rotation.
  * An export puts the machine's numbers before this text: DELTACAL_K[3][21], DELTACAL_TOOL[3],

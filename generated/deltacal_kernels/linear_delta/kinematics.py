@@ -1,7 +1,7 @@
 """Kinematics of `linear_delta`, many poses at once: Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both f4787801e357a540; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 59f0ee4e88c126f3; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -10,8 +10,9 @@ q (N, 3)  joints        tool (N or 1, 3)  reference point in {O'}
 p (M, 3, 16)  one row of parameters per limb: r l phi home a c endstop arm radius angle lean_radial lean_tangential scale dl radius stretch
 k (M, 3, 53)  what `constants` makes of p; each of the M machines has N / M of the poses, one after the other
 
-Poses are taken in blocks of up to 32, side by side: a loop over `lane` runs over the poses of a block. What is poorly
-conditioned or converges slowly is left to the plain kernels of ``vectorised.py``. `status` says what became of each pose.
+Poses are taken in blocks of up to 32, side by side: a loop over `lane` runs over the poses of a block. What is
+poorly conditioned or converges slowly is left to the plain kernels of ``vectorised.py``. `status` says what became of
+each pose.
 """
 
 import math
@@ -1178,7 +1179,9 @@ def inverse(target, tool, k, x, q, status):
     """
     if _inverse(target, tool, k, x, q, status):
         left = np.flatnonzero(status == OPEN)
-        found, joints, of = np.empty((len(left), 6)), np.empty((len(left), 3)), np.zeros(len(left), dtype=np.int64)
+        found, joints, of = (
+            np.empty((len(left), 6)), np.empty((len(left), 3)), np.zeros(len(left), dtype=np.int64)
+        )
         vectorised.inverse(target[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, joints, of)
         x[left], q[left], status[left] = found, joints, of
 
@@ -1403,7 +1406,10 @@ def simplified_inverse(target, tool, k, q, status):
     """Fill the joints q (N, 3) of the simplified machine, in closed form; see `simplified_forward` and `inverse`."""
     if _simplified_inverse(target, tool, k, q, status):
         left = np.flatnonzero(status == OPEN)
-        found, joints, of = np.empty((len(left), 6)), np.empty((len(left), 3)), np.empty(len(left), dtype=status.dtype)
+        found, joints, of = (
+            np.empty((len(left), 6)), np.empty((len(left), 3)),
+            np.empty(len(left), dtype=status.dtype),
+        )
         inverse(target[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, joints, of)
         q[left], status[left] = joints, of
 
@@ -1482,11 +1488,16 @@ def _products(w, S_p, S_q, status, first, last):
 def sensitivity(x, q, tool, k, S_p, S_q, status):
     """Fill the derivatives of the exact pose: S_p (N, 6, 30) by errors and deflections, S_q (N, 6, 3) by joints.
 
-    Rows are px, py, pz, then turns of the platform about the axes of {O}. Columns of S_p run limb by limb. S_q is the velocity
-    Jacobian.
+    Rows are px, py, pz, then turns of the platform about
+    the axes of {O}. Columns of S_p run limb by limb. S_q is the velocity Jacobian.
     """
     if _sensitivity(x, q, tool, k, S_p, S_q, status):
         left = np.flatnonzero(status == OPEN)
-        by_errors, by_joints, of = np.empty((len(left), 6, 30)), np.empty((len(left), 6, 3)), np.zeros(len(left), dtype=np.int64)
-        vectorised.sensitivity(x[left], q[left], _of(tool, left, len(status)), _of(k, left, len(status)), by_errors, by_joints, of)
+        by_errors, by_joints, of = (
+            np.empty((len(left), 6, 30)), np.empty((len(left), 6, 3)),
+            np.zeros(len(left), dtype=np.int64),
+        )
+        vectorised.sensitivity(
+            x[left], q[left], _of(tool, left, len(status)), _of(k, left, len(status)), by_errors, by_joints, of
+        )
         S_p[left], S_q[left], status[left] = by_errors, by_joints, of

@@ -1,7 +1,7 @@
 """Tables of `linear_delta`: Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both 9a9b6cd6dfd111db; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both 05ddf7698794fefc; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 

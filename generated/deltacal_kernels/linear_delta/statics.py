@@ -1,7 +1,7 @@
 """Generalised loads of `linear_delta`: Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/statics.py.jinja; sha256 of both c030f1ed459de6b4; SymPy 1.14.0.
+Template templates/mechanism/statics.py.jinja; sha256 of both efc708c52ef3fce8; SymPy 1.14.0.
 
 Plain NumPy over all poses at once. masses: carriage distal_rod platform; payload (N,) in kg at the
 reference point. Every weight has its own acceleration field [m/s^2]: gravity for all, or minus its own acceleration.

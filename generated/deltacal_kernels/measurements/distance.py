@@ -1,7 +1,7 @@
 """Distance between the reference points of two poses [mm].
 
 Generated from derive/measurements/distance.py by "deltacal kernels". Do not edit.
-Template templates/measurement.py.jinja; sha256 of both 52be9c9db2fc297e; SymPy 1.14.0.
+Template templates/measurement.py.jinja; sha256 of both 7a61cfe40440156b; SymPy 1.14.0.
 
 Plain NumPy, vectorised over the readings: poses x (N, 12), position and rotation matrix, `given` (N, 0) the
 instrument's state: none.

@@ -1,7 +1,7 @@
 """Length from a point of the base to the reference point [mm].
 
 Generated from derive/measurements/gauge.py by "deltacal kernels". Do not edit.
-Template templates/measurement.py.jinja; sha256 of both cda4b8191cbc0c4f; SymPy 1.14.0.
+Template templates/measurement.py.jinja; sha256 of both a87991e44c08c961; SymPy 1.14.0.
 
 Plain NumPy, vectorised over the readings: poses x (N, 12), position and rotation matrix, `given` (N, 4) the
 instrument's state: gx gy gz zero.

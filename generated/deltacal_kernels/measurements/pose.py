@@ -1,7 +1,7 @@
 """Position [mm] and rotation [rad] of a body on the platform in the instrument's frame.
 
 Generated from derive/measurements/pose.py by "deltacal kernels". Do not edit.
-Template templates/measurement.py.jinja; sha256 of both 0f9f968b58ab3858; SymPy 1.14.0.
+Template templates/measurement.py.jinja; sha256 of both 2b67837dbc469228; SymPy 1.14.0.
 
 Plain NumPy, vectorised over the readings: poses x (N, 12), position and rotation matrix, `given` (N, 21) the
 instrument's state: F11 F12 F13 F21 F22 F23 F31 F32 F33 fx fy fz D11 D12 D13 D21 D22 D23 D31 D32 D33.

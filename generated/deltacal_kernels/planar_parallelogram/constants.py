@@ -1,9 +1,10 @@
 """What no pose changes: `planar_parallelogram`, many machines at once, Planar parallelogram, one joint.
 
 Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/constants.py.jinja; sha256 of both 883e9a22a1817560; SymPy 1.14.0.
+Template templates/mechanism/constants.py.jinja; sha256 of both 3bd2cd4ef60d8e5b; SymPy 1.14.0.
 
-p (M, 1, 18) holds a machine's parameters, one row per limb; a loop over `lane` runs over the limbs of all machines.
+p (M, 1, 18) holds a machine's parameters, one row per limb; a loop over `lane` runs over the limbs
+of all machines.
 """
 
 import math

@@ -1,7 +1,7 @@
 """Dynamics of `planar_parallelogram`, many samples at once: Planar parallelogram, one joint.
 
 Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/dynamics.py.jinja; sha256 of both 5c20c7ad2cbadb49; SymPy 1.14.0.
+Template templates/mechanism/dynamics.py.jinja; sha256 of both 3a0a2fbfca475544; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the sample first; mm, rad, s, kg, N:
 

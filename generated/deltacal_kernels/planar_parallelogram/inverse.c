@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/inverse.c.jinja; sha256 of both 831be80d9ac845b6; SymPy 1.14.0.
+ * Template templates/mechanism/inverse.c.jinja; sha256 of both e5481759e407a5b3; SymPy 1.14.0.
  *
  * The exact compensator: inverse position of the calibrated machine, by Newton on joints and platform rotation.
  * An export puts the machine's numbers before this text: DELTACAL_K[1][26], DELTACAL_TOOL[3],

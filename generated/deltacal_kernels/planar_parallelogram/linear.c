@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/linear.c.jinja; sha256 of both 476add9eb03521f1; SymPy 1.14.0.
+ * Template templates/mechanism/linear.c.jinja; sha256 of both b07098a2769e292c; SymPy 1.14.0.
  *
  * The linear compensator: nominal joints, and the change that holds the reference point to first order in the errors.
  * An export puts the machine's numbers before this text: DELTACAL_K[1][28], DELTACAL_TOOL[3],

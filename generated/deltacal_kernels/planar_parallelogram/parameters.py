@@ -1,7 +1,7 @@
 """Tables of `planar_parallelogram`: Planar parallelogram, one joint.
 
 Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both 658eb1def8b46d31; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both cd684031bd32204d; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 

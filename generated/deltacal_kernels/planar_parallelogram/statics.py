@@ -1,7 +1,7 @@
 """Generalised loads of `planar_parallelogram`: Planar parallelogram, one joint.
 
 Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/statics.py.jinja; sha256 of both 828579153c2af725; SymPy 1.14.0.
+Template templates/mechanism/statics.py.jinja; sha256 of both a8c5fcc6066cb2ad; SymPy 1.14.0.
 
 Plain NumPy over all poses at once. masses: proximal proximal_com distal_rod platform; payload (N,) in kg at the
 reference point. Every weight has its own acceleration field [m/s^2]: gravity for all, or minus its own acceleration.

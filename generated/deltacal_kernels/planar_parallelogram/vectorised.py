@@ -1,7 +1,7 @@
 """Kinematics of `planar_parallelogram` in plain NumPy: Planar parallelogram, one joint.
 
 Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/vectorised.py.jinja; sha256 of both 28b540ded5f0d282; SymPy 1.14.0.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both f226beb3bbca959f; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
 small job is done before Numba would be loaded, and the compiled kernels have an independent check.
@@ -404,7 +404,9 @@ def forward(q, tool, k, x, status, warm):
             break
         F, J_x, _ = _closure(x[active], q[active], tool[active], _of(k, active))
         step, regular = _solve(J_x, F[:, None])
-        status[active[~regular]] = np.where(np.abs(F[:, ~regular]).max(axis=0, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE)
+        status[active[~regular]] = np.where(
+            np.abs(F[:, ~regular]).max(axis=0, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE
+        )
         active, step = active[regular], step[:, 0, regular].T
         x[active] -= step
         size = np.abs(step).max(axis=1, initial=0.0)
@@ -432,7 +434,9 @@ def inverse(target, tool, k, x, q, status):
         A[range(3), np.arange(3) // 3] = J_q
         A[:, 1:] = J_x[:, 1:]
         step, regular = _solve(A, F[:, None])
-        status[active[~regular]] = np.where(np.abs(F[:, ~regular]).max(axis=0, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE)
+        status[active[~regular]] = np.where(
+            np.abs(F[:, ~regular]).max(axis=0, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE
+        )
         active, step = active[regular], step[:, 0, regular].T
         q[active] -= step[:, :1]
         x[active, 1:] -= step[:, 1:]

@@ -1,10 +1,10 @@
 """Poses side by side: `robotennis`, RoboTennis, three arms with rods as single links, incremental home.
 
 Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/blocks.py.jinja; sha256 of both 2406e0f7095d4078; SymPy 1.14.0.
+Template templates/mechanism/blocks.py.jinja; sha256 of both e2c18b3be720666b; SymPy 1.14.0.
 
-The other modules of many poses take them in blocks, and compute with lane arrays, one number a pose, which all lie in one
-array w: first a region for every limb, then what the limbs share. Here a block of what is given is put there.
+The other modules of many poses take them in blocks, and compute with lane arrays, one number a pose, which all lie in
+one array w: first a region for every limb, then what the limbs share. Here a block of what is given is put there.
 """
 
 from deltacal_kernels.straight import straight

@@ -1,9 +1,10 @@
 """What no pose changes: `robotennis`, many machines at once, RoboTennis, three arms with rods as single links, incremental home.
 
 Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/constants.py.jinja; sha256 of both 6faf55050ebbf354; SymPy 1.14.0.
+Template templates/mechanism/constants.py.jinja; sha256 of both 897a11d729c9b474; SymPy 1.14.0.
 
-p (M, 3, 19) holds a machine's parameters, one row per limb; a loop over `lane` runs over the limbs of all machines.
+p (M, 3, 19) holds a machine's parameters, one row per limb; a loop over `lane` runs over the limbs
+of all machines.
 """
 
 import math

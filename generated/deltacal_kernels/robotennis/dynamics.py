@@ -1,7 +1,7 @@
 """Dynamics of `robotennis`, many samples at once: RoboTennis, three arms with rods as single links, incremental home.
 
 Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/dynamics.py.jinja; sha256 of both e8f25975b62782d9; SymPy 1.14.0.
+Template templates/mechanism/dynamics.py.jinja; sha256 of both 20610c54bed0847f; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the sample first; mm, rad, s, kg, N:
 

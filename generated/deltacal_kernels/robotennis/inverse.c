@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/inverse.c.jinja; sha256 of both fc736e0f99463cfd; SymPy 1.14.0.
+ * Template templates/mechanism/inverse.c.jinja; sha256 of both 25a52854d2026daf; SymPy 1.14.0.
  *
  * The exact compensator: inverse position of the calibrated machine, by Newton on joints and platform rotation.
  * An export puts the machine's numbers before this text: DELTACAL_K[3][22], DELTACAL_TOOL[3],

@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/linear.c.jinja; sha256 of both 12c27adce70ddf15; SymPy 1.14.0.
+ * Template templates/mechanism/linear.c.jinja; sha256 of both 236911f7e679d9d1; SymPy 1.14.0.
  *
  * The linear compensator: nominal joints, and the change that holds the reference point to first order in the errors.
  * An export puts the machine's numbers before this text: DELTACAL_K[3][28], DELTACAL_TOOL[3],

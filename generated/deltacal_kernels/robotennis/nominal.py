@@ -1,13 +1,13 @@
 """Derivatives of the nominal machine's position by its errors, many poses at once: `robotennis`, RoboTennis, three arms with rods as single links, incremental home.
 
 Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/nominal.py.jinja; sha256 of both 00a897d33cce0657; SymPy 1.14.0.
+Template templates/mechanism/nominal.py.jinja; sha256 of both d50c4b0b04fe1434; SymPy 1.14.0.
 
-Rods of a pair are parallel there, and the platform does not turn, which leaves little of the exact machine's derivatives.
-x (N, 3) is the position of the reference point, q (N, 3) the joints there, tool (N or 1, 3) the reference point in
-{O'}, k from `nominal_constants` of the nominal machine: errors and deflections among its parameters play no part. Poses
-stand side by side as in ``kinematics.py``. The functions return False where the machine is singular at one of the poses,
-or nearly so.
+Rods of a pair are parallel there, and the platform does not turn, which leaves little of the exact machine's
+derivatives. x (N, 3) is the position of the reference point, q (N, 3) the joints there, tool
+(N or 1, 3) the reference point in {O'}, k from `nominal_constants` of the nominal machine: errors and
+deflections among its parameters play no part. Poses stand side by side as in ``kinematics.py``. The functions return
+False where the machine is singular at one of the poses, or nearly so.
 """
 
 import math
@@ -208,7 +208,10 @@ def _chosen_products(w, columns, C, first, last):
     n = (columns.size + 7) // 8 * 8
     for start in range(0, n, 8):
         for lane in range(0, last - first + 1, 8):
-            outer_of(C, 3 * n * (first + lane) + start, 3 * n, n, 3, w, lane, 96, FACTORS, VALUES, columns, start, 1)
+            outer_of(
+                C, 3 * n * (first + lane) + start, 3 * n, n, 3,
+                w, lane, 96, FACTORS, VALUES, columns, start, 1,
+            )
 
 
 @straight

@@ -1,7 +1,7 @@
 """Tables of `robotennis`: RoboTennis, three arms with rods as single links, incremental home.
 
 Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both e54fce8463594764; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both 821f666ddbe32774; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 

@@ -1,7 +1,7 @@
 """Generalised loads of `robotennis`: RoboTennis, three arms with rods as single links, incremental home.
 
 Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/statics.py.jinja; sha256 of both 7d452bb199b42146; SymPy 1.14.0.
+Template templates/mechanism/statics.py.jinja; sha256 of both 5f005f3bc2f5604b; SymPy 1.14.0.
 
 Plain NumPy over all poses at once. masses: proximal proximal_com distal_rod platform; payload (N,) in kg at the
 reference point. Every weight has its own acceleration field [m/s^2]: gravity for all, or minus its own acceleration.

@@ -1,9 +1,9 @@
 /*
  * Generated from derive/mechanisms/serial.py by "deltacal kernels". Do not edit.
- * Template templates/chain/dynamics.c.jinja; sha256 of both d3f8f8559ac4f388; SymPy 1.14.0.
+ * Template templates/chain/dynamics.c.jinja; sha256 of both eeae5f884be6fc97; SymPy 1.14.0.
  *
- * The calibrated chain in motion, link by link: a frame in {O} with its first and second derivatives by time, the twists
- * of all behind a joint by it, and what the bodies ask for.
+ * The calibrated chain in motion, link by link: a frame in {O} with its first and second derivatives by time, the
+ * twists of all behind a joint by it, and what the bodies ask for.
  */
 #define FRAME 36 /* origin, rotation row by row; their first, then their second derivatives */
 #define BODY 10 /* inertial parameters of a link */
@@ -937,7 +937,9 @@ static int joint_rates(const struct motion *m, double b[6])
     return 1;
 }
 
-/* Find the joints at which the last frame stands in a pose, from those in q on; leaves the chain there, at rest, in m. */
+/*
+ * Find the joints at which the last frame stands in a pose, from those in q on; leaves the chain there, at rest, in m.
+ */
 static int stood(const double target[12], double q[6], struct motion *m)
 {
     const double rest[6] = { 0.0 };

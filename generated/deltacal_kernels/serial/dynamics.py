@@ -1,7 +1,7 @@
 """Dynamics of `serial`, many samples at once: Open chain of revolute and prismatic joints.
 
 Generated from derive/mechanisms/serial.py by "deltacal kernels". Do not edit.
-Template templates/chain/dynamics.py.jinja; sha256 of both 305dbdaed3d0f2fc; SymPy 1.14.0.
+Template templates/chain/dynamics.py.jinja; sha256 of both 4c8f0426c0ad0ade; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the sample first; mm, rad, s, kg, N:
 
@@ -11,8 +11,8 @@ gravity (3,)  in {O} [m/s^2]
 k (M, links, 7)  what `constants` makes of p; each of the M machines has N / M of the samples, one after the other
 conventions, drives, much  what tells a chain from others, see ``kinematics.py``
 
-What bodies ask for is linear in their inertial parameters: `torque` sums it up, `regressor` gives it one by one. Samples
-are taken in blocks of up to 32, side by side.
+What bodies ask for is linear in their inertial parameters: `torque` sums it up, `regressor` gives it one by one.
+Samples are taken in blocks of up to 32, side by side.
 """
 
 import numpy as np
@@ -1066,7 +1066,9 @@ def _torque(motion, inertia, gravity, k, conventions, drives, much, tau):
     q = motion[0]
     links, joints = k.shape[1], q.shape[1]
     w, axes, bodies = scratch(WORK), scratch(much.size * AXIS), scratch(links * ASKED)
-    states, constants, masses, torques = motion.reshape(motion.size), k.reshape(k.size), inertia.reshape(inertia.size), tau.reshape(tau.size)
+    states, constants, masses, torques = (
+        motion.reshape(motion.size), k.reshape(k.size), inertia.reshape(inertia.size), tau.reshape(tau.size)
+    )
     tau[:] = 0.0
     of = np.arange(len(q)) // (len(q) // k.shape[0])  # the machine that stands at each sample
     for first in range(0, len(q), LANES):
@@ -1080,7 +1082,10 @@ def _torque(motion, inertia, gravity, k, conventions, drives, much, tau):
             at = row
             while row < much.size and drives[row, 0] == link:
                 for order in range(3):
-                    _drive(states[order * len(q) * joints :], much[row:], w, 2 * order + drives[row, 1], drives[row, 2], joints, first, last, n)
+                    _drive(
+                        states[order * len(q) * joints :], much[row:], w, 2 * order + drives[row, 1], drives[row, 2],
+                        joints, first, last, n,
+                    )
                 row += 1
             if conventions[link] == 0:
                 _axes_standard(w, n)
@@ -1130,7 +1135,10 @@ def _regressor(motion, gravity, k, conventions, drives, much, Y):
             at = row
             while row < much.size and drives[row, 0] == link:
                 for order in range(3):
-                    _drive(states[order * len(q) * joints :], much[row:], w, 2 * order + drives[row, 1], drives[row, 2], joints, first, last, n)
+                    _drive(
+                        states[order * len(q) * joints :], much[row:], w, 2 * order + drives[row, 1], drives[row, 2],
+                        joints, first, last, n,
+                    )
                 row += 1
             if conventions[link] == 0:
                 _axes_standard(w, n)

@@ -1,7 +1,7 @@
 """Kinematics of `serial`, many poses at once: Open chain of revolute and prismatic joints.
 
 Generated from derive/mechanisms/serial.py by "deltacal kernels". Do not edit.
-Template templates/chain/kinematics.py.jinja; sha256 of both 0bbc599c320490c2; SymPy 1.14.0.
+Template templates/chain/kinematics.py.jinja; sha256 of both 66e67b577f52b09c; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -9,10 +9,11 @@ q (N, n_q)  joints        tool (N or 1, 3)  reference point in the last frame
 x (N, 12)  its position, rotation matrix of the last frame row by row
 k (M, links, 10)  what `constants` makes of p; each of the M machines has N / M of the poses, one after the other
 conventions (links,)  of each link, by their number in ``parameters.CONVENTIONS``
-drives (n, 3), much (n,)  link, variable (0 its turn, 1 its slide), joint: by how much a joint moves a link; link by link
+drives (n, 3), much (n,)  link, variable (0 its turn, 1 its slide), joint: by how much a joint moves a link;
+    link by link
 
-Poses are taken in blocks of up to 32, side by side: a loop over `lane` runs over the poses of a block. Links of one
-robot file differ in nothing but these arrays, so that what is compiled serves every chain.
+Poses are taken in blocks of up to 32, side by side: a loop over `lane` runs over the poses of a block. Links of
+one robot file differ in nothing but these arrays, so that what is compiled serves every chain.
 """
 
 import numpy as np
@@ -923,7 +924,9 @@ def _add(w, much, S, variable, j, joints, first, last):
 
 @fast
 def _forward(q, tool, k, conventions, drives, much, x):
-    w, given, found, constants, tools = scratch(WORK), q.reshape(q.size), x.reshape(x.size), k.reshape(k.size), tool.reshape(tool.size)
+    w, given, found, constants, tools = (
+        scratch(WORK), q.reshape(q.size), x.reshape(x.size), k.reshape(k.size), tool.reshape(tool.size)
+    )
     links, joints = k.shape[1], q.shape[1]
     of = np.arange(len(q)) // (len(q) // k.shape[0])  # the machine that stands at each pose
     for first in range(0, len(q), LANES):
@@ -994,7 +997,9 @@ def _unload_point(w, points, at, poses, first, last):
 
 @fast
 def _centres(q, k, conventions, drives, much, own, found):
-    w, given, constants, places, points = scratch(WORK), q.reshape(q.size), k.reshape(k.size), own.reshape(own.size), found.reshape(found.size)
+    w, given, constants, places, points = (
+        scratch(WORK), q.reshape(q.size), k.reshape(k.size), own.reshape(own.size), found.reshape(found.size)
+    )
     links, joints = k.shape[1], q.shape[1]
     of = np.arange(len(q)) // (len(q) // k.shape[0])  # the machine that stands at each pose
     for first in range(0, len(q), LANES):
@@ -1050,7 +1055,10 @@ def _carried(w, moment, first, last):
 @fast
 def _loads(q, k, conventions, drives, much, points, forces, bears, torque, along, moment):
     w, given, constants, kept = scratch(WORK), q.reshape(q.size), k.reshape(k.size), scratch((k.shape[1] + 1) * FRAME)
-    places, pulls, felt, torques, moments = points.reshape(points.size), forces.reshape(forces.size), along.reshape(along.size), torque.reshape(torque.size), moment.reshape(moment.size)
+    places, pulls, felt, torques, moments = (
+        points.reshape(points.size), forces.reshape(forces.size), along.reshape(along.size),
+        torque.reshape(torque.size), moment.reshape(moment.size),
+    )
     links, joints, width = k.shape[1], q.shape[1], 5 * k.shape[1]
     torque[:] = 0.0
     of = np.arange(len(q)) // (len(q) // k.shape[0])  # the machine that stands at each pose
@@ -1091,7 +1099,7 @@ def _loads(q, k, conventions, drives, much, points, forces, bears, torque, along
 def loads(q, k, conventions, drives, much, points, forces, bears, torque, along, moment):
     """Fill what weights exert by virtual work: torque (N, n_q) on the joints, along (N, links, 5) by the errors.
 
-    forces (n, 3, N) act at `points`, on the links that `bears` (n,) tells, or on what the last link carries. Their moment
-    (N, 3) is that about {O}.
+    forces (n, 3, N) act at `points`, on the links that `bears` (n,) tells, or on what the last link carries. Their
+    moment (N, 3) is that about {O}.
     """
     _loads(q, k, conventions, drives, much, points, forces, bears, torque, along, moment)

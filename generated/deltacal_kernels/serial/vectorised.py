@@ -1,7 +1,7 @@
 """Kinematics of `serial` in plain NumPy: Open chain of revolute and prismatic joints.
 
 Generated from derive/mechanisms/serial.py by "deltacal kernels". Do not edit.
-Template templates/chain/vectorised.py.jinja; sha256 of both 032acb0c9dc82af1; SymPy 1.14.0.
+Template templates/chain/vectorised.py.jinja; sha256 of both 5ae32478784617ac; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Inside, poses stand last:
 joint (2, N), the turn and the slide of a link's joint; frame (12, N), origin [mm] and rotation matrix row by row; point
@@ -739,8 +739,8 @@ def centres(q, k, conventions, drives, much, own):
 def loads(q, k, conventions, drives, much, points, forces, bears, torque, along, moment):
     """Fill what weights exert by virtual work: torque (N, n_q) on the joints, along (N, links, 5) by the errors.
 
-    forces (n, 3, N) act at `points`, on the links that `bears` (n,) tells, or on what the last link carries. Their moment
-    (N, 3) is that about {O}.
+    forces (n, 3, N) act at `points`, on the links that `bears` (n,) tells, or on what the last link carries. Their
+    moment (N, 3) is that about {O}.
     """
     every, joint, n = frames(q, k, conventions, drives, much), _moved(q, len(conventions), drives, much), len(much)
     load, torque[:] = np.zeros((6, len(q))), 0.0

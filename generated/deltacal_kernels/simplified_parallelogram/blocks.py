@@ -1,10 +1,10 @@
 """Poses side by side: `simplified_parallelogram`, Planar parallelogram, simplified: one virtual rod.
 
 Generated from derive/mechanisms/simplified_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/blocks.py.jinja; sha256 of both 14a1331e8e181705; SymPy 1.14.0.
+Template templates/mechanism/blocks.py.jinja; sha256 of both b7e40ae254cf3676; SymPy 1.14.0.
 
-The other modules of many poses take them in blocks, and compute with lane arrays, one number a pose, which all lie in one
-array w: first a region for every limb, then what the limbs share. Here a block of what is given is put there.
+The other modules of many poses take them in blocks, and compute with lane arrays, one number a pose, which all lie in
+one array w: first a region for every limb, then what the limbs share. Here a block of what is given is put there.
 """
 
 from deltacal_kernels.straight import straight

@@ -1,9 +1,10 @@
 """What no pose changes: `simplified_parallelogram`, many machines at once, Planar parallelogram, simplified: one virtual rod.
 
 Generated from derive/mechanisms/simplified_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/constants.py.jinja; sha256 of both 48900d8ba4ac8fe2; SymPy 1.14.0.
+Template templates/mechanism/constants.py.jinja; sha256 of both ced08c63363e2b5e; SymPy 1.14.0.
 
-p (M, 1, 11) holds a machine's parameters, one row per limb; a loop over `lane` runs over the limbs of all machines.
+p (M, 1, 11) holds a machine's parameters, one row per limb; a loop over `lane` runs over the limbs
+of all machines.
 """
 
 import math

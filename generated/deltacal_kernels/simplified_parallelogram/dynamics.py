@@ -1,7 +1,7 @@
 """Dynamics of `simplified_parallelogram`, many samples at once: Planar parallelogram, simplified: one virtual rod.
 
 Generated from derive/mechanisms/simplified_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/dynamics.py.jinja; sha256 of both 980075739bf1657e; SymPy 1.14.0.
+Template templates/mechanism/dynamics.py.jinja; sha256 of both f87657e556c0e9ab; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the sample first; mm, rad, s, kg, N:
 

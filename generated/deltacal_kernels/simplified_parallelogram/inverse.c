@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/simplified_parallelogram.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/inverse.c.jinja; sha256 of both 33f1b9ff9f3b8021; SymPy 1.14.0.
+ * Template templates/mechanism/inverse.c.jinja; sha256 of both 0090ef1257367c53; SymPy 1.14.0.
  *
  * The exact compensator: inverse position of the calibrated machine, by Newton on joints and platform rotation.
  * An export puts the machine's numbers before this text: DELTACAL_K[1][6], DELTACAL_TOOL[3],

@@ -1,7 +1,7 @@
 """Kinematics of `simplified_parallelogram`, many poses at once: Planar parallelogram, simplified: one virtual rod.
 
 Generated from derive/mechanisms/simplified_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both fdac7cbde3dba5c9; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 15abcabf08d1e5e2; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -10,8 +10,9 @@ q (N, 1)  joints        tool (N or 1, 3)  reference point in {O'}
 p (M, 1, 11)  one row of parameters per limb: a1x a2x a2y b1x b2x b2y l1 l2 h q0 l1
 k (M, 1, 6)  what `constants` makes of p; each of the M machines has N / M of the poses, one after the other
 
-Poses are taken in blocks of up to 32, side by side: a loop over `lane` runs over the poses of a block. What is poorly
-conditioned or converges slowly is left to the plain kernels of ``vectorised.py``. `status` says what became of each pose.
+Poses are taken in blocks of up to 32, side by side: a loop over `lane` runs over the poses of a block. What is
+poorly conditioned or converges slowly is left to the plain kernels of ``vectorised.py``. `status` says what became of
+each pose.
 """
 
 import math
@@ -509,7 +510,9 @@ def inverse(target, tool, k, x, q, status):
     """
     if _inverse(target, tool, k, x, q, status):
         left = np.flatnonzero(status == OPEN)
-        found, joints, of = np.empty((len(left), 3)), np.empty((len(left), 1)), np.zeros(len(left), dtype=np.int64)
+        found, joints, of = (
+            np.empty((len(left), 3)), np.empty((len(left), 1)), np.zeros(len(left), dtype=np.int64)
+        )
         vectorised.inverse(target[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, joints, of)
         x[left], q[left], status[left] = found, joints, of
 
@@ -627,11 +630,16 @@ def _products(w, S_p, S_q, status, first, last):
 def sensitivity(x, q, tool, k, S_p, S_q, status):
     """Fill the derivatives of the exact pose: S_p (N, 3, 2) by errors and deflections, S_q (N, 3, 1) by joints.
 
-    Rows are px, py, then turns of the platform about the axes of {O}. Columns of S_p run limb by limb. S_q is the velocity
-    Jacobian.
+    Rows are px, py, then turns of the platform about
+    the axes of {O}. Columns of S_p run limb by limb. S_q is the velocity Jacobian.
     """
     if _sensitivity(x, q, tool, k, S_p, S_q, status):
         left = np.flatnonzero(status == OPEN)
-        by_errors, by_joints, of = np.empty((len(left), 3, 2)), np.empty((len(left), 3, 1)), np.zeros(len(left), dtype=np.int64)
-        vectorised.sensitivity(x[left], q[left], _of(tool, left, len(status)), _of(k, left, len(status)), by_errors, by_joints, of)
+        by_errors, by_joints, of = (
+            np.empty((len(left), 3, 2)), np.empty((len(left), 3, 1)),
+            np.zeros(len(left), dtype=np.int64),
+        )
+        vectorised.sensitivity(
+            x[left], q[left], _of(tool, left, len(status)), _of(k, left, len(status)), by_errors, by_joints, of
+        )
         S_p[left], S_q[left], status[left] = by_errors, by_joints, of

@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/simplified_parallelogram.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/linear.c.jinja; sha256 of both 67f4c7ae12fe6437; SymPy 1.14.0.
+ * Template templates/mechanism/linear.c.jinja; sha256 of both 2b097cd11d6d08f5; SymPy 1.14.0.
  *
  * The linear compensator: nominal joints, and the change that holds the reference point to first order in the errors.
  * An export puts the machine's numbers before this text: DELTACAL_K[1][5], DELTACAL_TOOL[3],

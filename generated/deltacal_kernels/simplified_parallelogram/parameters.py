@@ -1,7 +1,7 @@
 """Tables of `simplified_parallelogram`: Planar parallelogram, simplified: one virtual rod.
 
 Generated from derive/mechanisms/simplified_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both 255f488f9785faf5; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both a37b0f12f696b16c; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 

@@ -1,7 +1,7 @@
 """Kinematics of `simplified_parallelogram` in plain NumPy: Planar parallelogram, simplified: one virtual rod.
 
 Generated from derive/mechanisms/simplified_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/vectorised.py.jinja; sha256 of both 3fdb771782ad3b61; SymPy 1.14.0.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both ffd41b76f59b86a3; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
 small job is done before Numba would be loaded, and the compiled kernels have an independent check.
@@ -215,7 +215,9 @@ def forward(q, tool, k, x, status, warm):
             break
         F, J_x, _ = _closure(x[active], q[active], tool[active], _of(k, active))
         step, regular = _solve(J_x, F[:, None])
-        status[active[~regular]] = np.where(np.abs(F[:, ~regular]).max(axis=0, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE)
+        status[active[~regular]] = np.where(
+            np.abs(F[:, ~regular]).max(axis=0, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE
+        )
         active, step = active[regular], step[:, 0, regular].T
         x[active] -= step
         size = np.abs(step).max(axis=1, initial=0.0)
@@ -243,7 +245,9 @@ def inverse(target, tool, k, x, q, status):
         A[range(3), np.arange(3) // 3] = J_q
         A[:, 1:] = J_x[:, 1:]
         step, regular = _solve(A, F[:, None])
-        status[active[~regular]] = np.where(np.abs(F[:, ~regular]).max(axis=0, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE)
+        status[active[~regular]] = np.where(
+            np.abs(F[:, ~regular]).max(axis=0, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE
+        )
         active, step = active[regular], step[:, 0, regular].T
         q[active] -= step[:, :1]
         x[active, 1:] -= step[:, 1:]

@@ -59,6 +59,7 @@ WORTH_SAYING = 0.02  # p-value of a hint that the summary tells
 
 
 def result_of(found: Diagnosed) -> Diagnosis:
+    """Return what was found as the answer of the command: figures in mm, curves and wording among them."""
     baseline, final, sigma = found.baseline, found.final, found.noise.sigma
     before, after = (heldout if np.isfinite(heldout) else None for heldout in found.heldout)
     of_baseline, of_final = ((float(at.sigma[0]) / sigma) ** 2 for at in (baseline, final))

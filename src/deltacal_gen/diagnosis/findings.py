@@ -243,6 +243,7 @@ def turned_of(considered: Sequence[Found]) -> str:
 
 
 def rejected_of(considered: Sequence[Found], named: Sequence[Named], spectrum: Spectrum | None) -> tuple[Rejected, ...]:
+    """Return the effects that were considered and not named, what explains most first, each with why not."""
     chosen = {n.term.effect for n in named} | ({wave()} if spectrum is not None else set())
     alike = {name: n.term.effect for n in named for name in n.alike}
     return tuple(

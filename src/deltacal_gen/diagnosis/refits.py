@@ -25,6 +25,7 @@ ROOM = 10.0
 
 
 def terms_of(at: Fit) -> list[Term]:
+    """Return the effects that a fit left free, with the coefficients it found."""
     return list(at.problem.split(at.errors)[1])
 
 

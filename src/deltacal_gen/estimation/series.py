@@ -30,8 +30,10 @@ DEFINITE = 1e-12  # of the variance: keeps a factor real where rounding would no
 
 
 class Taken(NamedTuple):
-    """What a fit may have taken out of readings: columns (R, k, n) of what it knew to one, and where it drew to (n,);
-    columns (R, k, m) of what it knew nothing of."""
+    """What a fit may have taken out of readings.
+
+    Columns (R, k, n) of what it knew to one, and where it drew to (n,); columns (R, k, m) of what it knew nothing of.
+    """
 
     known: Array
     toward: Array

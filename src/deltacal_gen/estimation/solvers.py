@@ -112,10 +112,12 @@ class Factored:
 
     @property
     def covariance(self) -> Array:
+        """Of the unknowns (n, n); see the class."""
         return self._inverse[0]
 
     @property
     def gain(self) -> Array:
+        """By which a right-hand side is multiplied (n, m); see the class."""
         return self._inverse[1]
 
     def step(self, residual: Array, u: Array | None = None) -> Array:
@@ -134,7 +136,8 @@ class Solver(Protocol):
     """
 
     @property
-    def weight(self) -> float | None: ...
+    def weight(self) -> float | None:
+        """What the rule adds to the sum of squares, per square of u; None where it minimises no objective."""
 
     def solve(self, A: Array, b: Array, sigma: float = 1.0, rows: int | None = None) -> Solution:
         """Return the solution of ``min |A u - b|``, A (m, n) scaled as the module says, b (m,).

@@ -34,12 +34,18 @@ _UNITS: tuple[tuple[re.Pattern[str], str, dict[str, float]], ...] = (  # of colu
     (re.compile(r"payload"), "kg", {"kg": 1.0, "g": 1e-3, "lb": 0.45359237}),
     (re.compile(r"temp(_\w+)?"), "C", {"c": 1.0, "degc": 1.0}),
 )
-_SPELT = {  # units as people write them
-    "°": "deg", "degree": "deg", "degrees": "deg", "radian": "rad", "radians": "rad", "inch": "in", "inches": "in",
-    '"': "in", "µm": "um", "μm": "um", "micron": "um", "meter": "m", "metre": "m", "meters": "m", "metres": "m",
-    "sec": "s", "°c": "c", "deg/s": "deg_s", "rad/s": "rad_s", "mm/s": "mm_s", "m/s": "m_s", "deg/s^2": "deg_s2",
-    "rad/s^2": "rad_s2", "mm/s^2": "mm_s2", "m/s^2": "m_s2",
-}  # fmt: skip
+_SPELLINGS = {  # units as people write them
+    "deg": ("°", "degree", "degrees"),
+    "rad": ("radian", "radians"),
+    "in": ("inch", "inches", '"'),
+    "um": ("µm", "μm", "micron"),
+    "m": ("meter", "metre", "meters", "metres"),
+    "s": ("sec",),
+    "c": ("°c",),
+    **{f"{u}_s": (f"{u}/s",) for u in ("deg", "rad", "mm", "m")},
+    **{f"{u}_s2": (f"{u}/s^2",) for u in ("deg", "rad", "mm", "m")},
+}
+_SPELT = {spelling: unit for unit, spellings in _SPELLINGS.items() for spelling in spellings}
 _NO_UNIT = {"", "-", "none", "text", "name"}
 _COMMA = re.compile(r"[-+]?\d+,\d+(?:[eE][-+]?\d+)?")
 _WITH_COMMA = re.compile(r"[-+]?(?:\d*,\d+|\d+,)(?:[eE][-+]?\d+)?")

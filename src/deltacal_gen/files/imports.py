@@ -107,6 +107,7 @@ def import_klipper(path: str | Path, output: str | Path | None = None) -> Import
 
 
 def printer_robot(name: str, geometry: Mapping[str, Any], belt: float | None, path: Path) -> Robot:
+    """Return a linear delta of this geometry [mm, deg], `belt` in mm per motor turn; raise where there can be none."""
     read = {key: np.round(value, DECIMALS).tolist() for key, value in geometry.items()}
     tables: dict[str, Any] = {"robot": {"name": name, "mechanism": "linear_delta"}, "geometry": read}
     if belt is not None:
@@ -240,6 +241,7 @@ def done(
     path: Path,
     output: str | Path | None,
 ) -> Imported:
+    """Return what was imported, written into a folder where there is one; raise where nothing was measured."""
     if not recordings:
         raise InputError(
             "there are neither heights, distances nor a bed mesh in the file.",
@@ -268,6 +270,7 @@ def write_import(found: Imported, output: str | Path | None) -> Imported:
 
 
 def doubt_arms(arms: Sequence[float]) -> tuple[str, ...]:
+    """Return a warning where the lengths of the arms [mm] differ by more than rods do that are cut to one."""
     spread = float(np.ptp(arms) / np.mean(arms))
     if spread <= SPREAD:
         return ()

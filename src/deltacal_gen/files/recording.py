@@ -249,7 +249,7 @@ def _recording(
 
 
 def _pairs_and_rows(path: Path, rows: Rows) -> tuple[Rows | None, Rows]:
-    """The table of distances, if there is one, and the table of rows.
+    """Return the table of distances, if there is one, and the table of rows.
 
     A row that holds both joint sets becomes two rows, labelled with a and b behind its pose.
     """

@@ -152,8 +152,11 @@ class Masses(Table):
 
 
 class Transmission(Table):
-    """Between motor and joint: `gear_ratio` in motor turns per joint turn, `encoder_counts` per motor turn,
-    `pulley_circumference` in mm of belt per motor turn, `torque_constant_Nm_A` what each joint gets of an ampere."""
+    """What is between motor and joint.
+
+    `gear_ratio` in motor turns per joint turn, `encoder_counts` per motor turn, `pulley_circumference` in mm of belt
+    per motor turn, `torque_constant_Nm_A` what each joint gets of an ampere.
+    """
 
     gear_ratio: Positive | None = None
     encoder_counts: Positive | None = None
@@ -317,7 +320,7 @@ _LINK_UNITS = {"a": "mm", "alpha": "rad", "d": "mm", "theta": "rad"}
 
 
 def _links(file: TomlFile, joints: Sequence[_Joint]) -> tuple[Link, ...]:
-    """The links of a chain; raises InputError where a coupling leads nowhere."""
+    """Return the links of a chain; raise InputError where a coupling leads nowhere."""
     found = []
     for k, joint in enumerate(joints, start=1):
         coupling = []
@@ -467,7 +470,7 @@ class _RobotFile(Table):
 
 
 def _schema(mechanism: Machine, drawn: bool = True) -> Any:
-    """Schema of the robot files of one mechanism; None stands for a key that the file does not give.
+    """Return the schema of the robot files of one mechanism; None stands for a key that the file does not give.
 
     A machine that is not `drawn` has no table [geometry].
     """

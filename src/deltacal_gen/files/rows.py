@@ -35,10 +35,12 @@ class Rows:
     factors: Mapping[str, float] = field(default_factory=dict)  # of columns in other units than their names say now
 
     def error(self, problem: str, remedy: str, *, row: int | None = None, column: str | None = None) -> InputError:
+        """Return the error that names file, line (that of the header without a row) and column."""
         line = self.header_line if row is None else int(self.line[row])
         return InputError(problem, remedy, file=self.path, line=line, column=column)
 
     def without(self, names: Iterable[str]) -> Rows:
+        """Return the rows without these columns; one that is not there is no error."""
         dropped = set(names)
         kept = {name: cells for name, cells in self.columns.items() if name not in dropped}
         return dataclasses.replace(self, columns=kept)
@@ -64,7 +66,7 @@ class Rows:
         return dataclasses.replace(self, columns=self.columns | {name: whole})
 
     def labels(self, name: str, *, blank: bool = True) -> list[str] | None:
-        """A column of names; a blank one is named after its line, or raises. None where there is no such column."""
+        """Return a column of names, None where there is none; a blank one is named after its line, or raises."""
         cells = self.columns.get(name)
         if cells is not None and not blank and "" in cells:
             raise self.error("the cell is blank.", "Fill it in.", row=cells.index(""), column=name)

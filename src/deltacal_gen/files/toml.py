@@ -61,7 +61,7 @@ class TomlFile:
         return InputError(problem, remedy, file=self.path, line=next(found, None))
 
     def check(self, schema: type[_Schema]) -> _Schema:
-        """The data as `schema`; raises InputError for the first flaw."""
+        """Return the data as `schema`; raise InputError for the first flaw."""
         try:
             return schema.model_validate(self.data)
         except ValidationError as error:
@@ -178,7 +178,7 @@ def _toml_value(value: Any) -> str:
 
 
 def read_text(path: Path) -> str:
-    """Text of a UTF-8 file, with or without a byte order mark, lines ended by ``\\n``; raises InputError."""
+    r"""Return the text of a UTF-8 file, without its byte order mark, lines ended by ``\n``; raise InputError."""
     try:
         data = path.read_bytes()
     except OSError as error:
@@ -198,5 +198,5 @@ def read_text(path: Path) -> str:
 
 
 def nearest(name: str, known: Iterable[str], cutoff: float = 0.6) -> str | None:
-    """The known name that `name` is probably a misspelling of, or None."""
+    """Return the known name that `name` is probably a misspelling of, or None."""
     return next(iter(difflib.get_close_matches(name, list(known), n=1, cutoff=cutoff)), None)

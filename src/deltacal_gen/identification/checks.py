@@ -15,7 +15,7 @@ from deltacal_gen.estimation.residuals import lengths
 from deltacal_gen.files.robot import robot_size
 from deltacal_gen.instrument.kinds import kind_of, mounts
 from deltacal_gen.machine.registry import Array, Machine
-from deltacal_gen.machine.values import Recording
+from deltacal_gen.machine.values import Recording, numbered
 from deltacal_gen.physics.body import Body
 from deltacal_gen.units import DEG
 
@@ -225,7 +225,7 @@ def copied(recording: Recording) -> tuple[str, ...]:
     """
     told = [recording.tool, *(recording.channels[name] for name in sorted(recording.channels))]
     beside = [np.asarray(v, dtype=float).reshape(recording.n_rows, -1) for v in told if v is not None]
-    posed = np.unique(np.column_stack([recording.joints, recording.setup]), axis=0, return_inverse=True)[1].ravel()
+    posed = numbered(np.column_stack([recording.joints, recording.setup]))
     whole = np.nan_to_num(np.column_stack([posed, recording.measured, *beside]), nan=np.inf)
     read = np.isfinite(recording.measured).any(axis=1)
     _, first, row = np.unique(whole, axis=0, return_index=True, return_inverse=True)

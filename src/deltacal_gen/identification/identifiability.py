@@ -180,8 +180,9 @@ def unseen(H: Array, names: Sequence[str], units: Sequence[str], typical: Array)
 def beside(
     found: Sequence[Combination], matrix: IdentificationMatrix, per: Array, standing: str
 ) -> tuple[list[Combination], int]:
-    """Return combinations that no reading sees, those that move readings told with what takes that up; and how many
-    directions of them do.
+    """Return combinations beside what stands open in the instrument, and how many directions of them move readings.
+
+    Those that do are told with what takes that up.
 
     Parameters
     ----------

@@ -15,7 +15,7 @@ from deltacal_gen.estimation.fit import Fit
 from deltacal_gen.estimation.residuals import Repeats, lengths
 from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.registry import Array
-from deltacal_gen.machine.values import Recording
+from deltacal_gen.machine.values import Recording, numbered
 from deltacal_gen.physics.motion import with_motion
 
 ENOUGH = 12  # degrees of freedom, without which repeats say nothing of noise
@@ -73,7 +73,7 @@ def _of_one_point(found: Readings) -> np.ndarray:
     """Return groups (R,) of readings of one pose and of the same point: those of a printed board see others."""
     if found.known is None:
         return found.group
-    return np.ravel(np.unique(np.column_stack([found.group, found.known]), axis=0, return_inverse=True)[1])
+    return numbered(np.column_stack([found.group, found.known]))
 
 
 def _smoothed(final: Fit, quiet: np.ndarray, same: np.ndarray, r: Array, channels: Mapping[str, Array]) -> Shown | None:
@@ -129,8 +129,7 @@ def _levelled(group: np.ndarray, channels: Mapping[str, Array]) -> np.ndarray:
     """Return groups (R,) of readings of one pose in which channels are alike."""
     if not channels:
         return group
-    same = np.column_stack([group, *map(_levels, channels.values())])
-    return np.ravel(np.unique(same, axis=0, return_inverse=True)[1])
+    return numbered(np.column_stack([group, *map(_levels, channels.values())]))
 
 
 def _levels(values: Array) -> Array:

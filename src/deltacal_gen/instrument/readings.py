@@ -11,7 +11,7 @@ import numpy as np
 
 from deltacal_gen.errors import InputError
 from deltacal_gen.machine.rotation import Array
-from deltacal_gen.machine.values import Recording
+from deltacal_gen.machine.values import Recording, numbered
 
 if TYPE_CHECKING:
     from deltacal_gen.instrument.kind import Kind
@@ -111,5 +111,5 @@ def poses_of(recording: Recording) -> np.ndarray:
     if label.max(initial=-1) + 1 == recording.n_rows and recording.pairs is None:
         tool = np.zeros((recording.n_rows, 3)) if recording.tool is None else np.nan_to_num(recording.tool)
         key = np.round(np.column_stack([recording.joints, tool, recording.setup]), 9)
-        return np.ravel(np.unique(key, axis=0, return_inverse=True)[1])
-    return np.ravel(np.unique(np.column_stack([label, recording.setup]), axis=0, return_inverse=True)[1])
+        return numbered(key)
+    return numbered(np.column_stack([label, recording.setup]))

@@ -201,8 +201,10 @@ class LimbDynamics(Dynamics):
         return self._asked(motion, np.append(inertia, 0.0))
 
     def payload(self, motion: Array, off: Array | None = None) -> Array:
-        """Return the torques (N, n_q) that 1 kg at the reference point asks for; a platform that only translates asks
-        the same wherever on it that is."""
+        """Return the torques (N, n_q) that 1 kg at the reference point asks for.
+
+        A platform that only translates asks the same wherever on it that is.
+        """
         return self._asked(motion, self.of_payload())
 
     def of_payload(self, off: Array | None = None) -> Array:

@@ -69,13 +69,20 @@ class Standing(Protocol):
     """A machine as it stands, moved by effects or not: poses, joints, tools and rows as `Machine.forward` has them."""
 
     @property
-    def x(self) -> Array: ...
+    def x(self) -> Array:
+        """Poses (N, 12): position [mm] and rotation matrix of the platform, row by row."""
+
     @property
-    def q(self) -> Array: ...
+    def q(self) -> Array:
+        """Joints (N, n_q) [rad or mm]."""
+
     @property
-    def tool(self) -> Array: ...
+    def tool(self) -> Array:
+        """Reference point (3,) or (N, 3) in {O'} [mm]."""
+
     @property
-    def rows(self) -> Array: ...
+    def rows(self) -> Array:
+        """Rows of parameters that the kernels read, (M, limbs or links, n)."""
 
 
 Reach = Callable[[Array, np.ndarray], tuple[Standing, np.ndarray]]  # see `Machine.follow`

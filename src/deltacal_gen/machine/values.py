@@ -29,6 +29,20 @@ ROTATION = ("rx_deg", "ry_deg", "rz_deg")
 TEMPERATURE = re.compile(r"temp_(\w+_)?C")
 
 
+def numbered(rows: np.ndarray) -> np.ndarray:
+    """Return the number (N,) of each of the different rows (N, k) that a row is, in ascending order; NaN equals none.
+
+    NumPy's ``unique`` of rows has the same numbers as its inverse; it compares rows field by field, which takes long.
+    """
+    order = np.argsort(rows[:, 0], kind="stable")
+    if not (np.diff(rows[order, 0]) > 0).all():  # mostly the first column is enough
+        order = np.lexsort(rows.T[::-1])
+    placed = rows[order]
+    found = np.zeros(len(rows), dtype=int)
+    found[order[1:]] = np.cumsum((placed[1:] != placed[:-1]).any(axis=1))
+    return found
+
+
 class Link(NamedTuple):
     """What a link of an open chain is, beside its dimensions.
 
@@ -247,7 +261,7 @@ class Recording:
         return self.channels.get("payload_kg")
 
     def subset(self, rows: np.ndarray | Sequence[int] | slice) -> Recording:
-        """The recording with these rows only (indices, mask or slice); pairs keep both their rows or go."""
+        """Return the recording with these rows only (indices, mask or slice); pairs keep both their rows or go."""
         rows = np.arange(self.n_rows)[rows]
         per_row = ("joints", "measured", "pose", "line", "setup", "tool", "targets", "contact")
         picked: dict[str, Any] = {name: None if (a := getattr(self, name)) is None else a[rows] for name in per_row}
@@ -261,7 +275,7 @@ class Recording:
         return dataclasses.replace(part, pairs=pairs).subset_pairs((pairs >= 0).all(axis=1))
 
     def subset_pairs(self, pair_rows: np.ndarray | Sequence[int] | slice) -> Recording:
-        """The recording with these distances only (indices, mask or slice), all rows kept."""
+        """Return the recording with these distances only (indices, mask or slice), all rows kept."""
         if self.pairs is None or self.pair_measured is None or self.pair_line is None:
             raise ValueError("this recording holds no distances between rows")
         k = np.arange(len(self.pairs))[pair_rows]

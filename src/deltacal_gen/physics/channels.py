@@ -11,7 +11,7 @@ import numpy as np
 
 from deltacal_gen.errors import InputError
 from deltacal_gen.machine.registry import Array
-from deltacal_gen.machine.values import TEMPERATURE, Recording, Robot
+from deltacal_gen.machine.values import TEMPERATURE, Recording, Robot, numbered
 from deltacal_gen.physics import states
 from deltacal_gen.physics.states import CHANNELS
 from deltacal_gen.physics.terms import Term
@@ -71,8 +71,7 @@ class Channels:
         """Read the channels of a recording; joint channels are turned as the geometry counts."""
         found = Channels.from_columns(recording.channels, recording.joints.shape, robot, recording.joint_unit)
         label = found.values.get("run", np.zeros(len(recording.joints)))
-        _, run = np.unique(np.column_stack([recording.setup, label]), axis=0, return_inverse=True)
-        return dataclasses.replace(found, run=run)
+        return dataclasses.replace(found, run=numbered(np.column_stack([recording.setup, label])))
 
     @staticmethod
     def from_columns(

@@ -12,7 +12,7 @@ import numpy as np
 
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.registry import Array
-from deltacal_gen.machine.values import Recording
+from deltacal_gen.machine.values import Recording, numbered
 from deltacal_gen.physics import splines
 from deltacal_gen.units import joint_factors, joint_names, of_joints
 
@@ -43,8 +43,8 @@ def at_rate(recording: Recording) -> bool:
 def runs_of(recording: Recording) -> list[np.ndarray]:
     """Return the rows of each run, or of each set-up where no runs are named."""
     label = recording.channels.get("run", np.zeros(recording.n_rows))
-    _, run = np.unique(np.column_stack([recording.setup, label]), axis=0, return_inverse=True)
-    return [np.flatnonzero(np.ravel(run) == k) for k in range(int(run.max(initial=-1)) + 1)]
+    run = numbered(np.column_stack([recording.setup, label]))
+    return [np.flatnonzero(run == k) for k in range(int(run.max(initial=-1)) + 1)]
 
 
 def motion_of(recording: Recording) -> dict[str, Array]:

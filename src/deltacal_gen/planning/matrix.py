@@ -377,6 +377,7 @@ def _reachable(robot: Robot, targets: Array, tools: Array) -> Poses:
 
 
 def matrix_of(robot: Robot, poses: Poses, names: Sequence[str], kind: Kind, mount: Mount | None = None) -> Array:
+    """Return the identification matrix of readings at poses; of differences of adjacent rows at a `mount`."""
     moved = sensitivity(robot, poses, names)
     if mount is None:
         return read_of(mechanism_of(robot), kind, poses, moved)

@@ -21,7 +21,8 @@ class Drawing(Protocol):
     """What draws machines; random numbers belong to the chunk's index or the suspect's trial, not to the worker."""
 
     @property
-    def suspects(self) -> Sized: ...
+    def suspects(self) -> Sized:
+        """What may be concealed in a machine, one at a time; empty where geometry alone is studied."""
 
     @property
     def chunk(self) -> int:

@@ -181,6 +181,7 @@ def task_of(
     norm: str,
     mount: Mount | None = None,
 ) -> Task:
+    """Return the task of a plan, what was not said chosen by the machine: kind, scaling and reference points."""
     mechanism = mechanism_of(robot)
     kind = kind and next((name for name in KINDS if kind in kind_of(name).aliases), kind)
     if kind is None:

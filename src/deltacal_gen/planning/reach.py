@@ -175,6 +175,7 @@ def middle(robot: Robot, tools: Array) -> str:
 
 
 def reached_of(robot: Robot, targets: Array, tools: Array) -> Poses:
+    """Return poses at targets (N, 3) [mm]; raise NoSolutionError, naming the first, where any is out of reach."""
     poses, why = reach(robot, targets, tools)
     bad = np.flatnonzero(why != "")
     if len(bad):
@@ -187,6 +188,7 @@ def reached_of(robot: Robot, targets: Array, tools: Array) -> Poses:
 
 
 def tools_of(tools: Array | Sequence[Sequence[float]]) -> Array:
+    """Return reference points as an array (T, 3) [mm]; raise UsageError where they have another shape."""
     points = np.atleast_2d(np.asarray(tools, dtype=float))
     if points.ndim != 2 or points.shape[1] != 3 or not len(points):
         raise UsageError(f"reference points have the shape {points.shape}, but must have (T, 3): x, y, z in mm each.")

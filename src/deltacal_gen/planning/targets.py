@@ -126,18 +126,21 @@ def reference_points(robot: Robot, count: int) -> Array:
 
 
 def radius(workspace: Workspace) -> float:
+    """Return the radius of a cylinder [mm]; raise UsageError where the workspace is none."""
     if workspace.radius is None:
         raise UsageError("poses are planned in a cylinder: the workspace needs a radius.")
     return workspace.radius
 
 
 def width(workspace: Workspace) -> float:
+    """Return the width of a rectangle [mm]; raise UsageError where the workspace is none."""
     if workspace.width is None:
         raise UsageError("poses are planned in a rectangle: the workspace needs a width.")
     return workspace.width
 
 
 def parts_of(layers: Sequence[str | float]) -> tuple[float, ...]:
+    """Return layers, by name or number, as parts of the height of the workspace, 0 to 1."""
     for layer in layers:
         if layer not in LAYERS if isinstance(layer, str) else not 0 <= layer <= 1:
             raise UsageError(f"there is no layer '{layer}'; write {', '.join(LAYERS)} or a part of the height, 0 to 1.")

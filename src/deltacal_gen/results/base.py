@@ -143,7 +143,8 @@ class Value:
         hints = get_type_hints(cls, include_extras=True)
         for name, value in cls._defaults.items():
             if value is None:
-                hints[name] = Union[tuple(part for part in get_args(hints[name]) if part is not NoneType)]  # noqa: UP007
+                written = tuple(part for part in get_args(hints[name]) if part is not NoneType)
+                hints[name] = Union[written]  # noqa: UP007
         return {name: hints[name] for name in cls._fields}
 
     @classmethod

@@ -276,8 +276,11 @@ def _in_columns(at: _At) -> tuple[Array, Array]:
 
 
 class _Moved(NamedTuple):
-    """How what is open moves readings: by independent standard normal numbers (R, k, n), and the variance (R, k) that
-    the placing of a set-up adds by its own noise."""
+    """How what is open moves readings.
+
+    By independent standard normal numbers (R, k, n), and the variance (R, k) that the placing of a set-up adds by its
+    own noise.
+    """
 
     by: Array
     placing: Array

@@ -34,10 +34,12 @@ class Calibration(Protocol):
     """A calibrated machine: a result, or the geometry beside a diagnosis that found nothing else."""
 
     @property
-    def robot(self) -> RobotTables: ...
+    def robot(self) -> RobotTables:
+        """Robot file from which it was calibrated."""
 
     @property
-    def parameters(self) -> tuple[Parameter, ...]: ...
+    def parameters(self) -> tuple[Parameter, ...]:
+        """Parameters found, in the order of the model."""
 
 
 def compare(before: Calibration, after: Calibration) -> Comparison:

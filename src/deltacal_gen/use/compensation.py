@@ -467,8 +467,10 @@ def largest(errors: Array) -> float:
 
 
 def workspace_points(space: Workspace) -> Array:
-    """Return points of a workspace, (N, 3): random ones; then its axis, and circles on the rim and half way, or a row,
-    in three layers."""
+    """Return points of a workspace, (N, 3) [mm].
+
+    Random ones; then its axis, and circles on the rim and half way, or a row, in three layers.
+    """
     rng = np.random.default_rng(_SEED)
     n, layers = _RANDOM_POINTS, (0.0, 0.5, 1.0)
     if space.radius is None:

@@ -105,6 +105,7 @@ def after_jumps(compensator: Compensator) -> Compensator:
 
 
 def factor(column: Column, values: Mapping[str, Array | float]) -> Array | float:
+    """Return the product of the channels of a column, (N,) or a number; 1 for the correction at reference."""
     out: Array | float = 1.0
     for name in column:
         out = out * values[name]

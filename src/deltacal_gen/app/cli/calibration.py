@@ -207,6 +207,7 @@ def diagnose(
 
 
 def show_diagnosis(found: Diagnosis) -> None:
+    """Print a diagnosis: its verdict, the effects with their parameters, and what cannot be told from them."""
     from deltacal_gen.results.shown import rounded
 
     screen.print(f"[bold]{found.verdict.replace('_', ' ')}[/bold]: {escaped(found.summary)}")

@@ -98,6 +98,7 @@ def counting(quiet: bool) -> Iterator[Callable[[int, int, str], None]]:
 
 
 def print_json(answer: Answer | Sequence[Answer]) -> None:
+    """Print an answer, or several, as JSON on standard output, for ``--json``."""
     from deltacal_gen.results.base import plain
 
     sys.stdout.write(json.dumps(plain(answer), indent=1, allow_nan=False) + "\n")
@@ -118,8 +119,10 @@ def show_any(found: Any, shown: Callable[[Any], None]) -> None:
 
 
 def number(value: float | None, digits: int = 4) -> str:
+    """Return a number as a cell of a table, to so many significant digits; a dash where there is none."""
     return "-" if value is None else f"{value:.{digits}g}"
 
 
 def escaped(text: str) -> str:
+    """Return text in which brackets are printed as they are, not read as rich's markup."""
     return text.replace("[", "\\[")

@@ -31,7 +31,8 @@ class Frame(Protocol):
     """A data frame of pandas; it need not be installed."""
 
     @property
-    def columns(self) -> Any: ...
+    def columns(self) -> Any:
+        """Names of its columns."""
 
     def __getitem__(self, key: Any, /) -> Any: ...
 
@@ -39,7 +40,8 @@ class Frame(Protocol):
 class MakesFrame(Protocol):
     """What makes a data frame, as a data set of xarray does."""
 
-    def to_dataframe(self) -> Any: ...
+    def to_dataframe(self) -> Any:
+        """Return the data frame."""
 
 
 AnyRobot = str | Path | Robot | RobotTables
@@ -48,10 +50,12 @@ Progress = Callable[[str], None]
 
 
 def silent(text: str) -> None:
+    """Report no stage of the work."""
     return None
 
 
 def untold(done: int, total: int, label: str) -> None:
+    """Report no task of a run as done."""
     return None
 
 
@@ -63,6 +67,7 @@ def as_robot(robot: AnyRobot) -> Robot:
 
 
 def as_recording(recording: AnyRecording, robot: Robot, **how: Any) -> Recording:
+    """Return a recording: read from its file, or made of a data frame, or as it is."""
     if isinstance(recording, Recording):
         return recording
     if not isinstance(recording, str | Path):

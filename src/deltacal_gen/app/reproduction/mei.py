@@ -71,6 +71,7 @@ class Bench:
 
     @staticmethod
     def of_example() -> Bench:
+        """Return the bench of the example: six positions, and the joints that the nominal machine gives them."""
         folder = example("diamond")
         robot = read_robot(folder / "robot.toml")
         poses = read_recording(folder / "poses.csv", DIAMOND, need_measured=False, allow_targets=True)
@@ -80,6 +81,7 @@ class Bench:
 
     @property
     def tool(self) -> Array:
+        """End of the gauge on the platform (3,) [mm]."""
         return np.array(self.poses.measurement.platform_point_mm)
 
     def instrument(self, mounted: Array) -> Instrument:
@@ -104,6 +106,7 @@ class Bench:
 
 
 def readings(seeds: int) -> Readings:
+    """Return which readings a gauge takes: six of each seed, one after the other."""
     n = 6 * seeds
     rows = np.arange(n)
     return Readings(kind_of("gauge"), rows[:, None], np.zeros((n, 1)), None, np.repeat(np.arange(seeds), 6), rows, rows)

@@ -39,6 +39,7 @@ TENNIS = load_mechanism("robotennis")
 
 
 def rows(robot: Robot, errors: dict[str, float] | None = None) -> Array:
+    """Return the rows of the kernels [mm, rad]: with the robot file's own errors, or with others."""
     return TENNIS.rows(robot if errors is None else dataclasses.replace(robot, errors=errors))
 
 
@@ -94,6 +95,7 @@ def calibrated(robot: Robot, truth: dict[str, float], P: Array, rng: np.random.G
 
 
 def table_1(robot: Robot, truth: dict[str, float], rng: np.random.Generator) -> tuple[Sheet, dict[str, float]]:
+    """Return Table 1, and the 15 parameters found from poses near the boundary of the workspace [mm, rad]."""
     heads = ("parameter, mm or deg", "paper: calibrated", "found", "std, boundary", "std, inside")
     sheet = Sheet("Table 1", "The paper's calibrated machine, found again from 300 poses with Table 3's noise", heads)
     boundary = near_the_boundary(300, rows(robot), rng)
@@ -205,6 +207,7 @@ def velocity_error(P: Array, true: Array, assumed: Array, home: Array, *, same: 
 
 
 def cylinder(bottom: float) -> Array:
+    """Return points (N, 3) [mm] of a cylinder about z, 300 mm in radius, from `bottom` to 400 mm above it."""
     r, t, z = np.meshgrid(
         (10, 100, 200, 300), np.linspace(0, 2 * np.pi, 48, endpoint=False), np.linspace(bottom, bottom + 400, 17)
     )
@@ -212,6 +215,7 @@ def cylinder(bottom: float) -> Array:
 
 
 def figure_12(true: Array, assumed: Array, home: Array) -> Sheet:
+    """Return figure 12: the largest velocity error in cylinders that begin at different heights."""
     heads = ("cylinder from z", *(f"same {s}" for s in SAME), "paper")
     sheet = Sheet("Fig. 12", "Largest value of (28), by what of the true pose the nominal Jacobian is taken at", heads)
     for bottom in (570, 600, 650, 700, 750, 760, 800):
@@ -263,9 +267,14 @@ def table_5(true: Array, nominal: Array) -> Sheet:
         a, b = (track(true, assumed, speed, np.random.default_rng(5)) for assumed in (nominal, true))
         d, e = (track(nominal, assumed, speed, np.random.default_rng(5)) for assumed in (nominal, true))
         sheet.add(
-            str(speed), f"{a:.3f}", f"{b:.3f}", f"{100 * (a - b) / a:.2f}", f"{100 * (d - e) / d:.2f}",
-            f"{p}, {c}", f"{100 * (p - c) / p:.2f}",
-        )  # fmt: skip
+            str(speed),
+            f"{a:.3f}",
+            f"{b:.3f}",
+            f"{100 * (a - b) / a:.2f}",
+            f"{100 * (d - e) / d:.2f}",
+            f"{p}, {c}",
+            f"{100 * (p - c) / p:.2f}",
+        )
     return sheet
 
 

@@ -56,6 +56,7 @@ class Change:
 
     @property
     def length(self) -> int:
+        """How long it is to write: the lengths of its parts, and a sign between any two."""
         return sum(p.length for p in self.parts) + len(self.parts) - 1
 
 
