@@ -15,8 +15,8 @@ import pytest
 import sympy as sp
 
 import derive.language.states as language
+from deltacal_gen import states
 from deltacal_gen.machine.registry import mechanism_of
-from deltacal_gen.physics import states
 from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.channels import Channels
 from deltacal_gen.physics.terms import Constant, Term, effect_names, load_effect, scaled

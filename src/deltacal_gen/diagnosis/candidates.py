@@ -18,9 +18,9 @@ from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.channels import Channels
 from deltacal_gen.physics.law import is_law
-from deltacal_gen.physics.states import columns
 from deltacal_gen.physics.terms import Term
 from deltacal_gen.results.diagnosis import Row
+from deltacal_gen.states import columns
 from deltacal_gen.units import joint_factors, joint_names, of_joints, to_file
 
 CANDIDATES = 1500  # joints and channels drawn at random, from which the poses are chosen

@@ -20,7 +20,6 @@ from deltacal_gen.estimation.fit import Fit
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.law import is_law
-from deltacal_gen.physics.states import read_by
 from deltacal_gen.physics.terms import (
     TURNED,
     Term,
@@ -34,6 +33,7 @@ from deltacal_gen.results.diagnosis import (
     RegionOf,
     Rejected,
 )
+from deltacal_gen.states import read_by
 from deltacal_gen.units import joint_names
 
 # of chi2: two explanations whose expected difference is below 10 are not told apart; the difference found spreads by

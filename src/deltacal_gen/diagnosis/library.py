@@ -10,7 +10,6 @@ from deltacal_gen.diagnosis.discrimination import columns_read
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.values import TEMPERATURE
-from deltacal_gen.physics.states import CHANNELS, State, named, read_by
 from deltacal_gen.physics.terms import (
     LOGGED,
     Constant,
@@ -22,6 +21,7 @@ from deltacal_gen.physics.terms import (
     load_effect,
 )
 from deltacal_gen.results.parts import Missing
+from deltacal_gen.states import CHANNELS, State, named, read_by
 
 Form = tuple[Constant, ...]  # the constants before one that is searched
 ORDERS = 100  # integer orders of a periodic error that are searched

@@ -26,7 +26,6 @@ from deltacal_gen.identification.folds import folds
 from deltacal_gen.identification.noise import lack_of_fit, merely_more
 from deltacal_gen.identification.together import PRICE, deviance_of, together
 from deltacal_gen.machine.registry import Array
-from deltacal_gen.physics.states import read_by
 from deltacal_gen.physics.terms import (
     Term,
     beyond,
@@ -35,6 +34,7 @@ from deltacal_gen.physics.terms import (
     on_limbs,
     without_rows,
 )
+from deltacal_gen.states import read_by
 
 MARGIN = 10.0  # of chi2, beyond all charges: what an effect must earn to be named, and what is left to be unexplained
 MOST_EFFECTS = 8  # that are searched: more were never told apart

@@ -11,9 +11,9 @@ from deltacal_gen.motion.laws import Lawful
 from deltacal_gen.motion.session import Session
 from deltacal_gen.physics.formula import unit, written
 from deltacal_gen.physics.law import Law, inside, load_law
-from deltacal_gen.physics.states import named
 from deltacal_gen.results.diagnosis import LawCoefficient, LawCurve, LawTerm
 from deltacal_gen.results.motion import TorqueLaw
+from deltacal_gen.states import named
 
 if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Array

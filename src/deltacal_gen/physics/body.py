@@ -14,18 +14,18 @@ from typing import NamedTuple
 
 import numpy as np
 
+from deltacal_gen import states
 from deltacal_gen.errors import InputError
 from deltacal_gen.machine.answers import Sensitivity
 from deltacal_gen.machine.machine import POSE
 from deltacal_gen.machine.registry import SOLVED, STATUS, UNBALANCED, Array, Machine
 from deltacal_gen.machine.rotation import cayley_matrix, swept
 from deltacal_gen.machine.values import Recording, Robot
-from deltacal_gen.physics import states
 from deltacal_gen.physics.channels import Channels
 from deltacal_gen.physics.memory import Along, along
 from deltacal_gen.physics.parts import along_deflections, lacking, lacks
-from deltacal_gen.physics.states import State
 from deltacal_gen.physics.terms import Constant, Term, blank, partial, remembers
+from deltacal_gen.states import State
 from deltacal_gen.units import joint_factors
 
 EQUILIBRIUM_STEPS = 25

@@ -9,12 +9,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from deltacal_gen import states
 from deltacal_gen.errors import InputError
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.values import TEMPERATURE, Recording, Robot
-from deltacal_gen.physics import states
-from deltacal_gen.physics.states import CHANNELS
 from deltacal_gen.physics.terms import Term
+from deltacal_gen.states import CHANNELS
 from deltacal_gen.units import joint_factors
 
 

@@ -14,10 +14,10 @@ from functools import cache
 
 import numpy as np
 
+from deltacal_gen import states
 from deltacal_gen.machine.registry import Array
-from deltacal_gen.physics import states
 from deltacal_gen.physics.formula import Unit, formula, unit, written
-from deltacal_gen.physics.states import State
+from deltacal_gen.states import State
 
 PREFIX = "law "
 ROUNDING = 1e-9  # of the width that was seen: less beyond it is none

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Container
 
+from deltacal_gen import states
 from deltacal_gen.machine.registry import Machine
-from deltacal_gen.physics import states
 from deltacal_gen.physics.terms import Kernels, load_effect
 
 EXERTED = ("torque", "payload_torque", "inertia_torque", "moment_x", "moment_y")  # by weights, in every machine

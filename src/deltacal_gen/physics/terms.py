@@ -13,11 +13,11 @@ from typing import Any
 import deltacal_kernels.effects
 import numpy as np
 
+from deltacal_gen import states
 from deltacal_gen.machine.registry import Array
-from deltacal_gen.physics import states
 from deltacal_gen.physics.law import Law, is_law, load_law
-from deltacal_gen.physics.states import State
 from deltacal_gen.results.parts import TermState
+from deltacal_gen.states import State
 from deltacal_gen.units import of_joints, of_sliding
 
 DOUBTED = 2.0  # standard deviations by which a coefficient may lie outside its believable range

@@ -25,8 +25,8 @@ from deltacal_gen.physics.formula import formula
 from deltacal_gen.physics.grammar import CONSTANT, LAGS, Form
 from deltacal_gen.physics.law import PREFIX, followed, load_law
 from deltacal_gen.physics.memory import recursion
-from deltacal_gen.physics.states import CHANNELS, named
 from deltacal_gen.physics.terms import Term, blank
+from deltacal_gen.states import CHANNELS, named
 
 TARGETS = (
     *("joint", "limb.arm", "limb.rod", "limb.outwards", "limb.tip_v", "limb.tip_w"),
