@@ -26,7 +26,7 @@ from deltacal_gen.files.sidecar import Sidecar, measurement_of, read_sidecar
 from deltacal_gen.files.toml import TomlFile
 from deltacal_gen.instrument import kinds
 from deltacal_gen.instrument.kind import Kind
-from deltacal_gen.instrument.kinds import kind_of
+from deltacal_gen.instrument.kinds import PAIRS, POINTS, kind_of
 from deltacal_gen.machine.machine import POSE
 from deltacal_gen.machine.rotation import from_vector
 from deltacal_gen.machine.values import POSITION, ROTATION, Recording
@@ -356,7 +356,7 @@ def _kind(
             "no column holds a measured quantity.",
             f"Add one of: {'; '.join(', '.join(names) for names in columns.values())}.",
         )
-    return next(iter(present), kind_of("distance" if paired else "position"))
+    return next(iter(present), kind_of(PAIRS if paired else POINTS))
 
 
 def _present(columns: Mapping[Kind, tuple[str, ...]], given: Iterable[str]) -> list[Kind]:

@@ -23,7 +23,7 @@ from matplotlib.ticker import PercentFormatter
 
 from deltacal_gen.files.robot import robot_of
 from deltacal_gen.files.writing import staging
-from deltacal_gen.instrument.kinds import kind_of
+from deltacal_gen.instrument.kinds import POINTS, kind_of
 from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.channels import Channels
@@ -311,7 +311,7 @@ def contribution(found: Diagnosis, effect: int) -> Array | None:
     with_it, without = body.solve(errors, terms)[0].x[:, :3], body.solve(errors, others)[0].x[:, :3]
     turn, origin = np.split(found.instrument.state[0, :12], [9])
     read = [x @ turn.reshape(3, 3).T + origin for x in (with_it, without)]
-    positions = kind_of("position").taken(np.arange(len(with_it))[:, None], values=with_it)
+    positions = kind_of(POINTS).taken(np.arange(len(with_it))[:, None], values=with_it)
     shifted = [r + reading_shift(t, body, positions, r, with_it)[0] for r, t in zip(read, (terms, others), strict=True)]
     out: Array = shifted[0] - shifted[1]
     return out
