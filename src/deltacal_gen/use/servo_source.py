@@ -25,6 +25,7 @@ from deltacal_gen.motion.feedforward import readouts_of_model
 from deltacal_gen.motion.limits import limits_of
 from deltacal_gen.physics.law import is_law
 from deltacal_gen.physics.terms import load_effect
+from deltacal_gen.states import SPEEDS, read_by
 from deltacal_gen.results.motion import JointModel, MotionModel, TorqueTerm
 from deltacal_gen.units import file_unit, joint_factors, joint_names
 from deltacal_gen.use.compensation import Compensator
@@ -33,15 +34,6 @@ from deltacal_gen.use.exports import c_numbers, c_source, plain, wrapped
 NO_LIMIT = 1e300  # of a torque, of a joint
 POSED = 6  # joints of a chain that stands in any pose
 FASTEST = 10.0  # times the speed that is assumed where the robot file says none: beyond it a set point has jumped
-STATES = {  # what effects read, in the words of the file
-    "q": "q",
-    "turn": "q",
-    "qd": "qd",
-    "qdd": "qdd",
-    "torque": "load",
-    "temperature": "temp_C",
-    "warming": "temp_C - 20.0",
-}
 CODES = (
     ("DELTACAL_NOT_A_NUMBER", 3, "an input is not a finite number"),
     ("DELTACAL_JUMP", 4, "since the last set point a joint would have moved faster than DELTACAL_MOST_SPEED"),
@@ -170,7 +162,7 @@ def _limbs(known: MotionModel, robot: Robot, own: LimbDynamics, past: int) -> tu
     return text, _interface(known, robot, past), "\n".join(numbers)
 
 
-def _chain(known: MotionModel, robot: Robot, own: Dynamics, past: int) -> tuple[str, str]:
+def _chain(known: MotionModel, robot: Robot, own: Dynamics, past: int) -> tuple[str, ...]:
     """Return interface and numbers of an open chain."""
     machine = mechanism_of(robot)
     assert isinstance(own, ChainDynamics)
@@ -257,7 +249,7 @@ def _tables(known: MotionModel, robot: Robot, own: Dynamics, joints: Sequence[Jo
         if known.known is not None:
             row[: len(own.names)] += much * np.array(known.known.inertial)
     factors = np.array(joint_factors(machine.joint_unit, n))
-    speeds = joint_names(machine.joint_unit, n, "qd{i}_{unit}_s")
+    speeds = joint_names(machine.joint_unit, n, SPEEDS)
     said = np.array([name in robot.limits for name in speeds])
     most = limits_of(robot)[0][2] / factors * np.where(said, 1.0, FASTEST)
     ends = np.array([robot.limits.get(column, (-NO_LIMIT, NO_LIMIT)) for column in known.columns])
@@ -301,7 +293,7 @@ def _effects(joints: Sequence[JointModel]) -> list[str]:
                 f"C is made of derived effects, and '{name}' is a law. Write it down (deltacal diagnose "
                 "--write-effect), derive it (deltacal kernels), and diagnose again."
             )
-        if lacking := [s for s in load_effect(name).STATE if s not in STATES]:
+        if lacking := [s.name for s in read_by(load_effect(name)) if s.joint or not s.c99_drive]:
             raise UsageError(
                 f"{name} depends on '{lacking[0]}', which a controller does not have: it cannot be exported."
             )
@@ -413,7 +405,7 @@ def _numbers(term: TorqueTerm, at: int) -> Iterator[str]:
     """Yield the begin of a block with an effect's states, coefficients and constants; its past stands from `at` on."""
     kernels = load_effect(term.effect)
     memories = len(getattr(kernels, "MEMORY", ()))
-    states = [*(STATES[name] for name in kernels.STATE), *(f"past[{at + n}]" for n in range(memories))]
+    states = [*(s.c99_drive for s in read_by(kernels)), *(f"past[{at + n}]" for n in range(memories))]
     yield "        {"
     yield f"            const double s[] = {{ {', '.join(states) or '0.0'} }};"
     yield f"            static const double c[] = {{ {c_numbers(np.array(term.values))} }};"

@@ -95,9 +95,7 @@ def plan(
 
     if plans_motion(kind, model):
         series: dict[str, Any] = {"runs": runs, "period": period, "harmonics": harmonics, "rate": rate}
-        moving = commands.plan(
-            robot, model, output, optimal=optimal, picture=picture, gauge=gauge, kind="torque", **series
-        )
+        moving = commands.plan(robot, model, output, optimal=optimal, picture=picture, gauge=gauge, kind=kind, **series)
         _show_trajectory(cast("MotionPlan", moving), output, as_json)
         return
     kind = kind or (None if gauge is None else MOUNTED)
