@@ -17,16 +17,15 @@ from deltacal_gen.errors import UsageError
 from deltacal_gen.files.robot import robot_of, robot_size
 from deltacal_gen.files.writing import write_files
 from deltacal_gen.machine.backend import Backend, using
-from deltacal_gen.machine.chain import Chain
-from deltacal_gen.machine.dynamics import ChainDynamics, Dynamics, LimbDynamics, dynamics_of
+from deltacal_gen.machine.dynamics import Dynamics, dynamics_of
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.feedforward import readouts_of_model
 from deltacal_gen.motion.limits import limits_of
 from deltacal_gen.physics.law import is_law
 from deltacal_gen.physics.terms import load_effect
-from deltacal_gen.states import SPEEDS, read_by
 from deltacal_gen.results.motion import JointModel, MotionModel, TorqueTerm
+from deltacal_gen.states import SPEEDS, read_by
 from deltacal_gen.units import file_unit, joint_factors, joint_names
 from deltacal_gen.use.compensation import Compensator
 from deltacal_gen.use.exports import c_numbers, c_source, plain, wrapped
@@ -140,9 +139,9 @@ def export_feedforward(known: MotionModel, path: str | Path) -> None:
         )
     body = importlib.resources.files("deltacal_kernels").joinpath(robot.mechanism, "dynamics.c")
     past = _past(joints)
-    machine = _limbs(known, robot, own, past) if isinstance(own, LimbDynamics) else _chain(known, robot, own, past)
+    head = _limbs if mechanism_of(robot).written_out else _chain
     parts = [
-        *machine,
+        *head(known, robot, own, past),
         "\n".join(_tables(known, robot, own, joints)),
         *_effects(joints),
         "\n".join(_remembering(joints, past)),
@@ -152,22 +151,20 @@ def export_feedforward(known: MotionModel, path: str | Path) -> None:
     write_files({Path(path): "\n".join(parts)})
 
 
-def _limbs(known: MotionModel, robot: Robot, own: LimbDynamics, past: int) -> tuple[str, str, str]:
+def _limbs(known: MotionModel, robot: Robot, own: Dynamics, past: int) -> tuple[str, ...]:
     """Return geometry, interface and numbers of a machine with limbs."""
     with using(Backend.NUMPY):  # a file holds the same digits wherever it is written from
         geometry = Compensator(robot)
         text = c_source(geometry, geometry.round_trip())
-    numbers = [*_table("MOTION_K", own.constants[0][0]), *_table("BODY_K", own.constants[1][0])]
-    numbers += [_line("SHARES", own.shares, "of a rod's mass at either end")]
+    numbers = [line for name in ("MOTION_K", "BODY_K") for line in _table(name, own.numbers[name])]
+    numbers += [_line("SHARES", own.numbers["SHARES"], "of a rod's mass at either end")]
     return text, _interface(known, robot, past), "\n".join(numbers)
 
 
 def _chain(known: MotionModel, robot: Robot, own: Dynamics, past: int) -> tuple[str, ...]:
     """Return interface and numbers of an open chain."""
     machine = mechanism_of(robot)
-    assert isinstance(own, ChainDynamics)
-    assert isinstance(machine, Chain)
-    conventions, drives, much = machine.shape
+    told = own.numbers
     factors = np.array(joint_factors(machine.joint_unit, machine.limbs))
     ends = np.full((machine.limbs, 2), [-NO_LIMIT, NO_LIMIT])
     if robot.joint_limits is not None:
@@ -179,17 +176,17 @@ def _chain(known: MotionModel, robot: Robot, own: Dynamics, past: int) -> tuple[
         read=", ".join(readouts_of_model(known)[0]),
         words=WORDS,
         codes=DEFINES,
-        links=len(conventions),
-        drives=len(drives),
+        links=len(told["CONVENTION"]),
+        drives=len(told["DRIVE"]),
         limbs=machine.limbs,
         past=_held(past),
     )
     numbers = [
-        f"static const int DELTACAL_CONVENTION[] = {{ {', '.join(map(str, conventions))} }};",
+        f"static const int DELTACAL_CONVENTION[] = {{ {', '.join(map(str, told['CONVENTION']))} }};",
         "static const int DELTACAL_DRIVE[][3] = { /* link, whether it slides, joint */",
-        *(f"    {{ {', '.join(map(str, row))} }}," for row in drives.tolist()),
+        *(f"    {{ {', '.join(map(str, row))} }}," for row in told["DRIVE"].tolist()),
         "};",
-        *_table("LINK_K", own.links),
+        *_table("LINK_K", told["LINK_K"]),
     ]
     of_pose = (
         ("REACH", np.array([reach]), "mm"),
@@ -198,7 +195,7 @@ def _chain(known: MotionModel, robot: Robot, own: Dynamics, past: int) -> tuple[
     )
     for name, values, words in (
         *(of_pose if machine.limbs == POSED else ()),
-        ("MUCH", much, "of a joint in its link"),
+        ("MUCH", told["MUCH"], "of a joint in its link"),
         ("SIGN", robot.joint_sign, "of the controller"),
         ("FACTOR", factors, "rad, mm per unit of a joint"),
         ("JOINT_LOW", ends[:, 0], "[joints] of the robot file"),
