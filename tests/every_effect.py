@@ -16,8 +16,8 @@ from deltacal_gen.machine.registry import Array, load_mechanism, mechanism_of
 from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.channels import Channels
 from deltacal_gen.physics.parts import lacking
-from deltacal_gen.physics.states import STATES, columns, named, read_by
 from deltacal_gen.physics.terms import Constant, Term, blank, effect_names, load_effect, of_the_instrument, scaled
+from deltacal_gen.states import STATES, columns, named, read_by
 from deltacal_gen.units import joint_names
 from tests.conftest import PROTOTYPE, plausible
 

@@ -17,8 +17,8 @@ from deltacal_gen.machine.registry import COORDINATES, Array, mechanism_of
 from deltacal_gen.machine.rotation import cayley_matrix, cayley_vector
 from deltacal_gen.physics.body import Body, Deformed
 from deltacal_gen.physics.reading import reading_shift
-from deltacal_gen.physics.states import read_by
 from deltacal_gen.physics.terms import Term, blank, effect_names
+from deltacal_gen.states import read_by
 from derive import closed_form, registry, vectors
 from derive.review import checks, laws, reports
 from derive.review.laws import Law

@@ -15,12 +15,12 @@ import pytest
 import sympy as sp
 
 import derive.language.states as language
+from deltacal_gen import states
 from deltacal_gen.machine.registry import mechanism_of
-from deltacal_gen.physics import states
 from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.channels import Channels
 from deltacal_gen.physics.terms import Constant, Term, effect_names, load_effect, scaled
-from deltacal_gen.units import DEG
+from deltacal_gen.units import DEG, joint_names
 from deltacal_gen.use.compensation import Compensator
 from deltacal_gen.use.exports import export_c
 from deltacal_gen.use.spans import Spans
@@ -90,6 +90,32 @@ def test_temperature_is_as_recorded_and_warming_over_20_degrees() -> None:
     assert known.get("warming") == pytest.approx([-2.0, 11.5])
     assert known.get("time") is None
     assert known.payload == pytest.approx([0.0, 0.0])
+
+
+def test_a_column_tells_which_state_it_holds() -> None:
+    told = {"q3_deg": "q", "qd12_mm_s": "qd", "qdd1_deg_s2": "qdd", "approach2": "approach"}
+    told |= {"temp_C": "temperature", "payload_kg": "payload", "time_s": "time"}
+    assert {column: states.of_column(column).name for column in told} == told
+    for column in ("temp_motor_C", "humidity", "approach", "qd_deg_s"):
+        found = states.of_column(column)
+        assert (found.name, found.kind, found.passes, found.commanded, found.levels) == (
+            column,
+            "channel",
+            False,
+            False,
+            (),
+        )
+    assert [s.name for s in states.RECORDED if s.holds("temp_motor_C")] == ["temperature"]
+    assert joint_names("rad,mm", 2) == joint_names("rad,mm", 2, states.JOINTS)
+
+
+def test_what_can_be_is_said_where_something_cannot() -> None:
+    for s in states.CHANNELS:
+        assert bool(s.expected) == bool(s.levels or s.possible), s.name
+    for s in states.RECORDED:
+        assert s.called, f"{s.name} has no name beside its column"
+    ranks = [sorted(r for s in states.STATES.values() if (r := getattr(s, field))) for field in ("law", "drive_law")]
+    assert all(found == list(range(1, len(found) + 1)) for found in ranks)
 
 
 # --- references -------------------------------------------------------------------------------------------------------

@@ -3,7 +3,7 @@
 A *state* is a number that the machine or its recording has at a pose: a joint, a channel, a load, a length of the
 drawing, where the measured point is, what the instrument reads. Nothing else in the program says what a state is: the
 table is emitted as ``deltacal_kernels/effects/states.py`` and read there by everything that asks for a column, a unit,
-an assumption, or how a controller writes it.
+an assumption, what can be, what can be set, a word for it, or how a controller writes it.
 
 An effect of a limb reads the states of its own limb. Another joint's carries its number (``torque_2``), and any column
 of a recording that has no name here is a *covariate*, read by the name of its column.
@@ -50,6 +50,8 @@ class State:
         the pose change with the deformation.
     column : str
         Recorded column that it is read from, per joint with ``{i}`` for its number and ``{unit}`` for deg or mm.
+    parts : str
+        Columns whose mean the column is, where a recording has these instead, with ``{part}`` for the name of a part.
     zero : float
         What the column holds where the state is zero.
     default : float
@@ -73,8 +75,44 @@ class State:
     c99 : str
         How C writes it for the joint ``{i}``, counted from 0, where a controller knows it before the machine moves;
         ``{sign}`` turns what the controller counts into what the geometry does, ``{turned}`` a joint into its pulley.
+    c99_drive : str
+        How C writes it for a drive, whose function has the motion of its own joint.
     tabled : (str, float), optional
         Exported corrections may go with it: the unit there, and how many of `unit` it is.
+    called : str
+        What it is called beside its unit, where answers and pages show its column, with ``{i}`` for the joint's number.
+    its : str
+        What it is called after "depends on", where a joint of a machine in motion is spoken of.
+    levels : tuple of float
+        All that the column can hold, where that is a few values.
+    possible : (float or None, float or None), optional
+        Between which values the column must lie.
+    expected : str
+        What is said of a value that cannot be.
+    weighs : bool
+        Whether it is a mass that the machine carries, of which it can carry so much.
+    commanded : bool
+        Whether whoever measures sets it; other channels come as they come.
+    passes : bool
+        Whether it goes on by itself and never comes again: what is measured next has more of it.
+    rests : bool
+        Whether a machine at rest has none of it.
+    step : float
+        By how much the column may well be made to differ, where it does not.
+    law : int
+        When laws of readings look at it, the first at 1; 0: never.
+    others : bool
+        Whether these look at those of other joints too.
+    drive_law : int
+        When laws of what drives give look at it, the first at 1; 0: never.
+    varied : str
+        What must be varied in motion for effects on drives that read it to be told apart.
+    needed : str
+        What a motion must hold for effects on drives that read it to be looked at.
+    along : str
+        Of a load: the deflection along which weights exert it; without one every machine that weighs has it.
+    rods : bool
+        Whether limbs that close loops alone have it.
     """
 
     symbol: sp.Symbol
@@ -84,6 +122,7 @@ class State:
     per: str
     kind: str
     column: str = ""
+    parts: str = ""
     zero: float = 0.0
     default: float = 0.0
     assumed: str = ""
@@ -95,7 +134,25 @@ class State:
     by: str = ""
     requires: str = ""
     c99: str = ""
+    c99_drive: str = ""
     tabled: tuple[str, float] | None = None
+    called: str = ""
+    its: str = ""
+    levels: tuple[float, ...] = ()
+    possible: tuple[float | None, float | None] | None = None
+    expected: str = ""
+    weighs: bool = False
+    commanded: bool = False
+    passes: bool = False
+    rests: bool = False
+    step: float = 0.0
+    law: int = 0
+    others: bool = False
+    drive_law: int = 0
+    varied: str = ""
+    needed: str = ""
+    along: str = ""
+    rods: bool = False
 
     def __post_init__(self) -> None:
         if self.per not in PER or self.kind not in KINDS:
@@ -124,7 +181,17 @@ class Covariate(sp.Symbol):
 JOINT, SPEED, ACCELERATION = "q{i}_{unit}", "qd{i}_{unit}_s", "qdd{i}_{unit}_s2"
 POSITION = "position"  # where a misfit shows that no column does, but the place in the workspace
 AT_REST = "a machine at rest is assumed"
-_TEMPERATURE = {"default": 20.0, "assumed": "20 degC is assumed", "differing": "temperatures that differ"}
+ROOM = 20.0  # degC: what is taken where nobody recorded a temperature, and where a machine is not warmer
+_ANGLES = "angles, over the whole range"
+_TEMPERATURE: dict[str, Any] = {
+    "parts": "temp_{part}_C",
+    "default": ROOM,
+    "assumed": f"{ROOM:g} degC is assumed",
+    "differing": "temperatures that differ",
+    "possible": (-100.0, 300.0),
+    "expected": "-100 to 300 degC were expected",
+    "step": 10.0,
+}
 
 
 def _joint(name: str, unit: str, meaning: str, **known: Any) -> State:
@@ -137,20 +204,30 @@ def _channel(name: str, unit: str, meaning: str, column: str, **known: Any) -> S
     return State(sp.Symbol(name, real=True), unit, factor, meaning, per, "channel", column, **{"shown": column} | known)
 
 
-def _load(
-    name: str, unit: str, meaning: str, shown: str, per: str = "joint", made_of: tuple[str, ...] = ("payload",)
-) -> State:
-    masses = "[masses] in the robot file"
-    symbol = sp.Symbol(name, real=True)
-    return State(symbol, unit, 1.0, meaning, per, "load", made_of=made_of, shown=shown, requires=masses)
+def _load(name: str, unit: str, meaning: str, shown: str, per: str = "joint", **known: Any) -> State:
+    own = {"made_of": ("payload",), "requires": "[masses] in the robot file"} | known
+    return State(sp.Symbol(name, real=True), unit, 1.0, meaning, per, "load", shown=shown, **own)
 
 
-def _length(name: str, meaning: str, per: str, kind: str, shown: str = "") -> State:
-    return State(sp.Symbol(name, real=True), "mm", 1.0, meaning, per, kind, shown=shown)
+def _length(name: str, meaning: str, per: str, kind: str, shown: str = "", **known: Any) -> State:
+    return State(sp.Symbol(name, real=True), "mm", 1.0, meaning, per, kind, shown=shown, **known)
 
 
 _ROWS = (
-    _joint("q", "deg", "joint as the controller reports it", c99="q[{i}]"),
+    _joint(
+        "q",
+        "deg",
+        "joint as the controller reports it",
+        column=JOINT,
+        c99="q[{i}]",
+        c99_drive="q",
+        called="joint {i}",
+        its="its position",
+        law=1,
+        others=True,
+        drive_law=1,
+        varied=_ANGLES,
+    ),
     _joint("theta", "deg", "joint as the geometry sees it", kind="place"),
     _joint(
         "turn",
@@ -158,10 +235,42 @@ _ROWS = (
         "turn of the joint; of its pulley, where it slides",
         requires="pulley_circumference in [transmission]",
         c99="q[{i}] * {turned}",
+        c99_drive="q",
+        varied=_ANGLES,
+        needed="joints that pass two periods",
     ),
-    _channel("qd", "deg/s", "joint velocity", SPEED, assumed=AT_REST, differing="motion in the columns qd"),
     _channel(
-        "qdd", "deg/s^2", "joint acceleration", ACCELERATION, assumed=AT_REST, differing="motion in the columns qdd"
+        "qd",
+        "deg/s",
+        "joint velocity",
+        SPEED,
+        assumed=AT_REST,
+        differing="motion in the columns qd",
+        c99_drive="qd",
+        called="speed of joint {i}",
+        its="its speed",
+        commanded=True,
+        rests=True,
+        law=4,
+        others=True,
+        drive_law=2,
+        varied="speeds, from creeping to the fastest",
+    ),
+    _channel(
+        "qdd",
+        "deg/s^2",
+        "joint acceleration",
+        ACCELERATION,
+        assumed=AT_REST,
+        differing="motion in the columns qdd",
+        c99_drive="qdd",
+        called="acceleration of joint {i}",
+        its="its acceleration",
+        commanded=True,
+        rests=True,
+        law=5,
+        drive_law=3,
+        varied="accelerations",
     ),
     _channel(
         "approach",
@@ -172,6 +281,12 @@ _ROWS = (
         differing="both directions of approach",
         c99="{sign}at->approach[{i}]",
         tabled=("", 1.0),
+        called="direction in which joint {i} last moved",
+        levels=(-1.0, 1.0),
+        expected="1 or -1 was expected",
+        commanded=True,
+        law=3,
+        others=True,
     ),
     _joint("q_other", "deg", "another joint as the controller reports it, that of the number", kind="chosen", by="of"),
     State(
@@ -192,16 +307,31 @@ _ROWS = (
         "chosen",
         by="per",
     ),
-    _channel("temperature", "degC", "temperature", "temp_C", **_TEMPERATURE, c99="at->temp_C"),
+    _channel(
+        "temperature",
+        "degC",
+        "temperature",
+        "temp_C",
+        **_TEMPERATURE,
+        c99="at->temp_C",
+        c99_drive="temp_C",
+        called="temperature",
+        its="the temperature",
+        drive_law=5,
+    ),
     _channel(
         "warming",
         "K",
-        "temperature less 20 degC",
+        f"temperature less {ROOM:g} degC",
         "temp_C",
         **_TEMPERATURE,
-        zero=20.0,
-        c99="at->temp_C - 20.0",
-        tabled=("K over 20 degC", 1.0),
+        zero=ROOM,
+        c99=f"at->temp_C - {ROOM}",
+        c99_drive=f"temp_C - {ROOM}",
+        tabled=(f"K over {ROOM:g} degC", 1.0),
+        law=10,
+        varied="temperatures",
+        needed="temperatures that differ in a column temp_C",
     ),
     _channel(
         "payload",
@@ -213,6 +343,12 @@ _ROWS = (
         differing="payloads that differ in the column payload_kg",
         c99="at->payload_kg",
         tabled=("kg", 1.0),
+        called="payload",
+        possible=(0.0, None),
+        expected="a mass cannot be negative",
+        weighs=True,
+        commanded=True,
+        law=11,
     ),
     _channel(
         "time",
@@ -224,6 +360,10 @@ _ROWS = (
         differing="times that differ",
         c99="at->time_s",
         tabled=("h", 3600.0),
+        called="time",
+        its="the time",
+        passes=True,
+        law=12,
     ),
     _channel(
         "after",
@@ -235,7 +375,18 @@ _ROWS = (
         assumed="a time after the jump is assumed",
         c99="1.0",
     ),
-    _load("torque", "N mm", "static torque of all weights on the joint", JOINT),
+    _load(
+        "torque",
+        "N mm",
+        "static torque of all weights on the joint",
+        JOINT,
+        c99_drive="load",
+        its="the torque that the rigid machine asks of it",
+        law=2,
+        others=True,
+        drive_law=4,
+        varied="loads, with and without a payload",
+    ),
     _load("payload_torque", "N mm", "static torque of the payload on the joint", "payload_kg"),
     _load(
         "inertia_torque",
@@ -244,12 +395,27 @@ _ROWS = (
         ACCELERATION,
         made_of=("qdd", "payload"),
     ),
-    _load("pull_v", "N", "rods' pull on the arm's tip, normal to the arm in its plane", JOINT, "limb"),
-    _load("pull_w", "N", "rods' pull on the arm's tip, along the joint's axis", JOINT, "limb"),
-    _load("tension_1", "N", "tension of rod 1", JOINT, "limb"),
-    _load("tension_2", "N", "tension of rod 2", JOINT, "limb"),
+    _load(
+        "pull_v",
+        "N",
+        "rods' pull on the arm's tip, normal to the arm in its plane",
+        JOINT,
+        "limb",
+        along="tip_v",
+        law=8,
+    ),
+    _load("pull_w", "N", "rods' pull on the arm's tip, along the joint's axis", JOINT, "limb", along="tip_w", law=9),
+    _load("tension_1", "N", "tension of rod 1", JOINT, "limb", rods=True, law=6),
+    _load("tension_2", "N", "tension of rod 2", JOINT, "limb", rods=True, law=7),
     *(
-        _load(f"on_{part}", unit, f"what weights exert along {part}, by virtual work: {words}", JOINT, "limb")
+        _load(
+            f"on_{part}",
+            unit,
+            f"what weights exert along {part}, by virtual work: {words}",
+            JOINT,
+            "limb",
+            along=part,
+        )
         for part, unit, words in (
             ("side_x", "N", "force across the joint's axis, along x of the frame it turns in"),
             ("side_y", "N", "force across the joint's axis, along y of that frame"),
@@ -269,10 +435,10 @@ _ROWS = (
     State(
         sp.Symbol("slides", real=True), "1", 1.0, "1 of a joint that slides, 0 of one that turns", "limb", "geometry"
     ),
-    _length("x", "measured point, x in {O}", "machine", "place", POSITION),
-    _length("y", "measured point, y in {O}", "machine", "place", POSITION),
-    _length("z", "measured point, z in {O}", "machine", "place", POSITION),
-    _length("radius", "measured point, its distance from the z axis of {O}", "machine", "place", POSITION),
+    _length("x", "measured point, x in {O}", "machine", "place", POSITION, law=13),
+    _length("y", "measured point, y in {O}", "machine", "place", POSITION, law=14),
+    _length("z", "measured point, z in {O}", "machine", "place", POSITION, law=15),
+    _length("radius", "measured point, its distance from the z axis of {O}", "machine", "place", POSITION, law=16),
     _length("y_x", "reading along the instrument's x", "reading", "reading"),
     _length("y_y", "reading along the instrument's y", "reading", "reading"),
     _length("y_z", "reading along the instrument's z", "reading", "reading"),

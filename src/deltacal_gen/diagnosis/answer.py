@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from deltacal_gen.diagnosis.chance import Chance
-from deltacal_gen.diagnosis.correction import Correction
+from deltacal_gen.diagnosis.correction import POSITION, Correction
 from deltacal_gen.diagnosis.discrimination import more_poses
 from deltacal_gen.diagnosis.findings import Named
 from deltacal_gen.diagnosis.harmonics import order_of
@@ -362,7 +362,7 @@ def _corrected(found: Diagnosed) -> str:
         return "No smooth correction holds on held-out readings."
     before, after = made.heldout
     names = [smooth.variable for smooth in made.moving]
-    on = "position" if names == ["position"] else f"the channel {names[0]}"
+    on = POSITION if names == [POSITION] else f"the channel {names[0]}"
     where, most = f"{names[0]} is", ""
     if len(names) > 1:
         on, where = "functions that each joint has of its own angle or travel", "joints and position are"

@@ -18,20 +18,18 @@ from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.channels import Channels
 from deltacal_gen.physics.law import is_law
-from deltacal_gen.physics.states import columns
 from deltacal_gen.physics.terms import Term
 from deltacal_gen.results.diagnosis import Row
+from deltacal_gen.states import TIME, columns, of_column
 from deltacal_gen.units import joint_factors, joint_names, of_joints, to_file
 
 CANDIDATES = 1500  # joints and channels drawn at random, from which the poses are chosen
 WIDER = 0.1  # of the range of joints that was recorded: how far beyond it poses may go where nothing says more
-ROOM, WARMER = 20.0, 10.0  # degC of a temperature that nobody recorded, and K
 LEVELS = 5  # of a channel along which a curve is sought
 LONGER = 1.0  # times the session: when the last of the proposed readings may be taken
 BETWEEN = 60.0  # s from one reading to the next where a recording does not show it
 DECIMALS = 4  # of deg and mm: as precise as controllers take commands
 LABEL = "next"  # and a number: the label of a proposed pose
-COMMANDED = ("approach", "payload", "qd")  # channels that whoever measures sets; the others come as they come
 
 
 def columns_read(problem: Problem, terms: Sequence[Term]) -> list[str]:
@@ -124,7 +122,7 @@ def candidates(at: Fit, terms: Sequence[Term], rng: np.random.Generator, stated:
                 drawn[1::2] = drawn[::2]
             channels[name] = drawn
     asked = {*needed, *columns_read(problem, stated)}
-    told = [n for n in channels if n in asked or n in robot.limits or n == "time_s" or n.startswith(COMMANDED)]
+    told = [n for n in channels if n in asked or n in robot.limits or (s := of_column(n)).passes or s.commanded]
     rows = dataclasses.replace(
         recording,
         joints=joints,
@@ -224,11 +222,12 @@ def between(problem: Problem, name: str, ends: Array) -> Array:
 
     Without limits in the robot file they are among those that were recorded.
     """
-    if name.startswith("approach") or len(ends) > LEVELS:
+    channel = of_column(name)
+    if channel.levels or len(ends) > LEVELS:
         return ends
     even = np.linspace(ends.min(), ends.max(), LEVELS).round(DECIMALS)
     seen = problem.recording.channels.get(name)
-    if name in problem.robot.limits or name == "time_s" or seen is None:
+    if name in problem.robot.limits or channel.passes or seen is None:
         return even
     seen = np.unique(seen[np.isfinite(seen)])
     return np.unique([seen[np.argmin(np.abs(seen - v))] for v in even])
@@ -236,27 +235,27 @@ def between(problem: Problem, name: str, ends: Array) -> Array:
 
 def _levels(problem: Problem, name: str) -> Array | None:
     """Return the values of a channel that are proposed, None where whoever measures cannot choose them."""
-    recording = problem.recording
+    recording, channel = problem.recording, of_column(name)
     used = np.unique(problem.readings.rows)
     values = recording.channels.get(name)
     seen = np.zeros(0) if values is None else np.unique(values[used][np.isfinite(values[used])])
     if name in problem.robot.limits:
         return np.array(problem.robot.limits[name])
-    if name == "payload_kg":
+    if channel.weighs:
         if len(seen) > 1:
             return seen if len(seen) <= 4 else seen[[0, -1]]
         masses = problem.robot.masses
         held = float(seen[0]) if len(seen) else 0.0
         return None if masses is None or not masses.platform else np.array([held, held + masses.platform])
     if not len(seen):
-        return np.array([ROOM, ROOM + WARMER]) if name == "temp_C" else None
-    if name.startswith("approach"):
-        return np.array([-1.0, 1.0])
-    if name == "time_s":
+        return channel.default + np.array([0.0, channel.step]) if channel.step else None
+    if channel.levels:
+        return np.array(channel.levels)
+    if channel.passes:
         return np.round(seen[-1] + gap_of(seen) + np.array([0.0, LONGER * float(np.ptp(seen))]), 1)
-    if name == "temp_C" and np.ptp(seen) == 0:
-        return seen[0] + np.array([0.0, WARMER])
-    return np.array([seen[0], 0.0, seen[-1]]) if name.startswith("qd") else seen[[0, -1]]
+    if channel.step and np.ptp(seen) == 0:
+        return seen[0] + np.array([0.0, channel.step])
+    return np.array([seen[0], 0.0, seen[-1]]) if channel.rests else seen[[0, -1]]
 
 
 def gap_of(times: Array) -> float:
@@ -266,15 +265,15 @@ def gap_of(times: Array) -> float:
 
 def in_time(rows: Sequence[Row], recording: Recording) -> list[Row]:
     """Return rows in the order of their times, which come after those of a recording and grow from row to row."""
-    if not rows or "time_s" not in rows[0] or "time_s" not in recording.channels:
+    if not rows or TIME not in rows[0] or TIME not in recording.channels:
         return list(rows)
-    times = recording.channels["time_s"]
+    times = recording.channels[TIME]
     seen = np.unique(times[np.isfinite(times)])
     gap, last = gap_of(seen), float(seen[-1])
     out: list[Row] = []
-    for row in sorted(rows, key=lambda row: float(row["time_s"])):
-        last = max(float(row["time_s"]), round(last + gap, 1))
-        out.append(row | {"time_s": last})
+    for row in sorted(rows, key=lambda row: float(row[TIME])):
+        last = max(float(row[TIME]), round(last + gap, 1))
+        out.append(row | {TIME: last})
     return out
 
 

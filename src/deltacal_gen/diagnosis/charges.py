@@ -69,6 +69,7 @@ def several(effect: str) -> bool:
 
 
 def key(term: Term) -> tuple[str, tuple[Constant, ...]]:
+    """Return an effect and its constants: a form, wherever it is."""
     return term.effect, term.constants
 
 

@@ -17,8 +17,6 @@ from deltacal_gen.diagnosis.candidates import (
     DECIMALS,
     LABEL,
     LEVELS,
-    ROOM,
-    WARMER,
     candidates,
     columns_read,
     first_label,
@@ -34,6 +32,7 @@ from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.law import PREFIX, Law
 from deltacal_gen.physics.terms import Term, blank
 from deltacal_gen.results.diagnosis import Location, NextMeasurement, Row
+from deltacal_gen.states import CHANNELS, TEMPERATURE, TIME, of_column
 
 # of chi2: a difference D between two explanations scatters by 2 sqrt(D); at 58 it stays above the 22.6 below which a
 # diagnosis calls them not told apart (`findings.AMBIGUOUS`) in 99 of 100 recordings
@@ -368,8 +367,8 @@ def _with_thermometer(at: Fit) -> Fit:
     if body.channels.get("warming") is not None:
         return at
     unknown = np.full(len(body.q), np.nan)
-    recording = dataclasses.replace(problem.recording, channels=problem.recording.channels | {"temp_C": unknown})
-    channels = body.channels.with_values(temperature=unknown, warming=unknown)
+    recording = dataclasses.replace(problem.recording, channels=problem.recording.channels | {TEMPERATURE: unknown})
+    channels = body.channels.with_values(**{s.name: unknown for s in CHANNELS if s.column == TEMPERATURE})
     body = Body(body.robot, body.mechanism, body.q, body.tool, channels)
     return dataclasses.replace(at, problem=dataclasses.replace(problem, recording=recording, body=body))
 
@@ -385,19 +384,19 @@ def _thermal(name: str, problem: Problem) -> Term:
 
 def _other_channel(pool: Pool, truth: Term, unrecorded: str, rival: Term, beside: Sequence[Term]) -> NextMeasurement:
     """Return what tells an effect from one of the temperature, which was not recorded or did not vary."""
-    why, problem = f"separates {label(truth)} from {unrecorded}", pool.at.problem
+    why, problem, warmth = f"separates {label(truth)} from {unrecorded}", pool.at.problem, of_column(TEMPERATURE)
     apart = (label(truth), unrecorded)
     text = (
-        f"Record temp_C, and repeat the poses when the machine is at least {WARMER:g} K warmer or colder: "
+        f"Record {TEMPERATURE}, and repeat the poses when the machine is at least {warmth.step:g} K warmer or colder: "
         f"{unrecorded} follows the temperature, {label(truth)} does not."
     )
     found = pool.separating(truth, rival, beside)
     if found.expected >= LEAST:
         return _advice(why, text, in_time(found.rows, problem.recording), found.expected, apart, found)
-    low, high = problem.robot.limits.get("temp_C", (ROOM, ROOM + WARMER))
+    low, high = problem.robot.limits.get(TEMPERATURE, (warmth.default, warmth.default + warmth.step))
     first = first_label(problem.recording)
     poses = [
-        {"pose": f"{LABEL}{first + n}"} | joints_of(problem.recording, k) | {"temp_C": level}
+        {"pose": f"{LABEL}{first + n}"} | joints_of(problem.recording, k) | {TEMPERATURE: level}
         for level in (low, high)
         for n, k in enumerate(_far_apart(problem, 2 * REPEATED))
     ]
@@ -432,9 +431,9 @@ def _exploring(at: Fit, location: Location, rng: np.random.Generator) -> NextMea
         chosen = list(dict.fromkeys(int(np.argmin(np.abs(along - v))) for v in levels)) if len(along) else []
         text = f"Measure these poses, evenly spread along {channel}."
     rows = found.to_rows(chosen)
-    if "time_s" in found.told:  # one after the other
-        soonest = min(float(row["time_s"]) for row in rows)
-        rows = [row | {"time_s": soonest} for row in rows]
+    if TIME in found.told:  # one after the other
+        soonest = min(float(row[TIME]) for row in rows)
+        rows = [row | {TIME: soonest} for row in rows]
     return _advice(why, text, in_time(rows, recording))
 
 
@@ -449,7 +448,7 @@ def _repeated(problem: Problem, channel: str) -> list[Row]:
     values = recording.channels[channel][used]
     values = np.unique(values[np.isfinite(values)])
     levels = values if len(values) <= LEVELS else np.linspace(values[0], values[-1], LEVELS).round(DECIMALS)
-    if channel == "time_s":  # what is measured next comes later
+    if of_column(channel).passes:  # what is measured next comes later
         levels = (levels - levels[0] + values[-1] + gap_of(values)).round(1)
     first = first_label(recording)
     rows = [

@@ -22,7 +22,6 @@ from deltacal_gen.estimation.fit import Fit
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.law import is_law
-from deltacal_gen.physics.states import read_by
 from deltacal_gen.physics.terms import (
     TURNED,
     Term,
@@ -36,6 +35,7 @@ from deltacal_gen.results.diagnosis import (
     RegionOf,
     Rejected,
 )
+from deltacal_gen.states import TEMPERATURE, named, read_by
 from deltacal_gen.units import joint_names
 
 # of chi2: two explanations whose expected difference is below 10 are not told apart; the difference found spreads by
@@ -204,16 +204,16 @@ def _unrecorded(freed: Search, term: Term, score: float) -> tuple[str, ...]:
         return ()
     courses = [np.full(len(body.q), WARMED) if warming is None else warming]
     time = body.channels.get("time")
-    if warming is None and time is not None and any(s.name == "time" for s in term.states):
+    if warming is None and time is not None and any(s.passes for s in term.states):
         courses += _warmings(time)
     limbs, names = tuple(range(1, body.mechanism.limbs + 1)), dict[str, None]()
     for warm in courses:
-        channels = body.channels.with_values(warming=warm, temperature=warm + 20.0)
+        channels = body.channels.with_values(warming=warm, temperature=warm + named("warming").zero)
         assumed = Body(body.robot, body.mechanism, body.q, body.tool, channels)
         terms = [
             assumed.blank(name, limbs)
             for name in effect_names()
-            if any(s.column == "temp_C" for s in read_by(load_effect(name)))
+            if any(s.column == TEMPERATURE for s in read_by(load_effect(name)))
             and assumed.missing(name) is None
             and not unseen(freed.fit.problem, name)
         ]

@@ -9,8 +9,6 @@ import numpy as np
 from deltacal_gen.diagnosis.discrimination import columns_read
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.machine.registry import Array
-from deltacal_gen.machine.values import TEMPERATURE
-from deltacal_gen.physics.states import CHANNELS, State, named, read_by
 from deltacal_gen.physics.terms import (
     LOGGED,
     Constant,
@@ -22,6 +20,7 @@ from deltacal_gen.physics.terms import (
     load_effect,
 )
 from deltacal_gen.results.parts import Missing
+from deltacal_gen.states import CHANNELS, RECORDED, State, named, read_by
 
 Form = tuple[Constant, ...]  # the constants before one that is searched
 ORDERS = 100  # integer orders of a periodic error that are searched
@@ -193,7 +192,7 @@ def _recorded(problem: Problem, kernels: Kernels, form: Form) -> list[str]:
             or name in problem.recording.doubts
             or name.startswith("true_")
         )
-        and not TEMPERATURE.fullmatch(name)
+        and not any(s.part(name) for s in RECORDED)
         and np.isfinite(values[rows]).all()
         and np.ptp(values[rows]) > 0
     ]

@@ -96,6 +96,7 @@ def kind(term: Term) -> tuple[object, ...]:
 
 
 def place(term: Term) -> tuple[object, ...]:
+    """Return an effect and where it is, whatever its size; of one that may be there several times, which."""
     return *kind(term), term.limbs, term.tools
 
 

@@ -24,7 +24,6 @@ from deltacal_gen.identification.folds import folds
 from deltacal_gen.identification.noise import lack_of_fit, merely_more
 from deltacal_gen.identification.together import PRICE, deviance_of, together
 from deltacal_gen.machine.registry import Array
-from deltacal_gen.physics.states import read_by
 from deltacal_gen.physics.terms import (
     Term,
     beyond,
@@ -32,6 +31,7 @@ from deltacal_gen.physics.terms import (
     on_limbs,
     without_rows,
 )
+from deltacal_gen.states import read_by
 
 MOST_EFFECTS = 8  # that are searched: more were never told apart
 MOST_WAVES = 3  # single orders among them: what shows at more is one error of many orders

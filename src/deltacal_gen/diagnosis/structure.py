@@ -19,6 +19,7 @@ from deltacal_gen.estimation.fit import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.rotation import swept
+from deltacal_gen.states import APPROACH
 from deltacal_gen.units import joint_names
 
 FEWEST_NEIGHBOURS = 20  # poses, without which their likeness tells nothing
@@ -225,7 +226,7 @@ def _bases(problem: Problem) -> dict[str, tuple[Array, list[Region | None]]]:
     out: dict[str, tuple[Array, list[Region | None]]] = {}
     n_q = body.q.shape[1]
     named = dict(zip(joint_names(recording.joint_unit, n_q), body.q.T, strict=True))
-    moving = dict(zip(joint_names(recording.joint_unit, n_q, "approach{i}"), body.q.T, strict=True))
+    moving = dict(zip(joint_names(recording.joint_unit, n_q, APPROACH), body.q.T, strict=True))
     for name, values in {**recording.channels, **named}.items():
         if name.startswith("true_") or not np.isfinite(values[rows]).any():
             continue

@@ -22,6 +22,7 @@ from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.estimation.fit import Fit, fit, rough
 from deltacal_gen.estimation.problem import Problem, pose_problem
 from deltacal_gen.estimation.solvers import Factored, LeastSquares, Solver
+from deltacal_gen.instrument.kinds import PAIRS, POINTS
 from deltacal_gen.machine.answers import result
 from deltacal_gen.machine.backend import working
 from deltacal_gen.machine.registry import SOLVED, STATUS, Array, load_mechanism, mechanism_of
@@ -137,7 +138,7 @@ def recorded(
             raise UsageError(f"measured[{k}] = {values[k]:.6g}: a distance cannot be negative.")
     return Recording(
         path=GIVEN,
-        kind="position" if ends is None else "distance",
+        kind=POINTS if ends is None else PAIRS,
         measurement=Measurement(frame=frame, sigma_mm=sigma),
         joint_unit=mechanism.joint_unit,
         joints=robot.joint_sign * q,

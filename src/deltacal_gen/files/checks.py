@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from deltacal_gen.errors import InputError
-from deltacal_gen.files.columns import APPROACH
 from deltacal_gen.files.robot import robot_size
 from deltacal_gen.files.rows import Rows
-from deltacal_gen.instrument.kinds import kind_of
-from deltacal_gen.machine.values import TEMPERATURE, Recording, Robot
+from deltacal_gen.instrument.kinds import PAIRS, kind_of
+from deltacal_gen.machine.values import Recording, Robot
+from deltacal_gen.states import RECORDED
 from deltacal_gen.units import DEG, file_unit, of_joints, to_file
 
 if TYPE_CHECKING:
@@ -72,7 +72,7 @@ def check_units(recording: Recording, robot: Robot, *, load: Callable[[str], Mac
 
 def _spreads(recording: Recording, joints: np.ndarray) -> Iterator[tuple[str, float, float]]:
     """Column, spread of its readings [mm] and largest motion of a joint (N, n_q) between them."""
-    kind, pairs = kind_of(recording.kind), kind_of("distance")
+    kind, pairs = kind_of(recording.kind), kind_of(PAIRS)
     yield from kind.spreads(recording, joints)
     if recording.pairs is not None and not kind.pairs:
         yield from pairs.spreads(recording, joints)
@@ -80,15 +80,16 @@ def _spreads(recording: Recording, joints: np.ndarray) -> Iterator[tuple[str, fl
 
 def impossible(name: str, values: np.ndarray, heaviest: float = np.inf) -> tuple[np.ndarray, str]:
     """Which values (N,) of a channel cannot be, and what was expected in words; `heaviest` is the largest payload."""
-    if APPROACH.fullmatch(name):
-        return np.isfinite(values) & (np.abs(values) != 1), "1 or -1 was expected"
-    if TEMPERATURE.fullmatch(name):
-        return (values < -100) | (values > 300), "-100 to 300 degC were expected"
-    if name == "payload_kg" and (values < 0).any():
-        return values < 0, "a mass cannot be negative"
-    if name == "payload_kg":
+    channel = next((s for s in RECORDED if s.holds(name)), None)
+    if channel is None:
+        return np.zeros(len(values), dtype=bool), ""
+    low, high = channel.ends
+    wrong = (values < low) | (values > high)
+    if channel.levels:
+        wrong = np.isfinite(values) & ~np.isin(values, channel.levels)
+    if channel.weighs and not wrong.any():
         return values > heaviest, f"at most {heaviest:.3g} kg were expected on arms and a platform like these"
-    return np.zeros(len(values), dtype=bool), ""
+    return wrong, channel.expected
 
 
 def set_aside(recording: Recording, robot: Robot) -> Recording:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from deltacal_gen.instrument import kinds
 from deltacal_gen.instrument.kinds import kind_of
-from deltacal_gen.machine.values import TEMPERATURE
+from deltacal_gen.states import RECORDED
 
 TOOL = ("tool_x_mm", "tool_y_mm", "tool_z_mm")
 MEASURED = {column for name in kinds.names() for column in kind_of(name).reserved}
@@ -15,8 +15,11 @@ RESERVED = {*MEASURED, *TOOL, "pose", "setup"}
 ONE_SETUP = ("1",)  # name of the only set-up, where the file names none
 
 JOINT = re.compile(r"q\d+_(deg|mm)")
-APPROACH = re.compile(r"approach\d+")
-CHANNEL = re.compile(rf"time_s|payload_kg|{TEMPERATURE.pattern}|{APPROACH.pattern}|qdd?\d+_\w+")
+
+
+def is_channel(column: str) -> bool:
+    """Tell whether a column holds a channel that the program knows, of whatever joint or part."""
+    return any(s.holds(column) for s in RECORDED)
 
 
 def distances_path(path: Path) -> Path:

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from deltacal_gen.errors import InputError, UsageError
-from deltacal_gen.files.columns import CHANNEL, JOINT, RESERVED
+from deltacal_gen.files.columns import JOINT, RESERVED, is_channel
 
 LOOKED_AT = 200  # lines in which the header is searched for
 SEPARATORS = (",", ";", "\t", "|")
@@ -163,7 +163,7 @@ def _check_separated(path: Path, line: int, names: Sequence[str]) -> None:
 
 
 def _known(name: str) -> bool:
-    plain = name in RESERVED or name in LABELS or JOINT.fullmatch(name) or CHANNEL.fullmatch(name)
+    plain = name in RESERVED or name in LABELS or JOINT.fullmatch(name) or is_channel(name)
     return bool(plain or re.fullmatch(r"q\d+[ab]?(_(deg|mm))?", name))
 
 

@@ -19,6 +19,7 @@ from deltacal_gen.files.dialect import Layout, decimal_of, encoding_of, plain_nu
 from deltacal_gen.files.imports import Imported, write_import
 from deltacal_gen.files.robot import read_robot
 from deltacal_gen.files.rows import number_of
+from deltacal_gen.instrument.kinds import POINTS
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.values import Measurement, Recording
 from deltacal_gen.units import to_internal
@@ -135,8 +136,8 @@ def import_points(
     setups = list(dict.fromkeys(groups[i] for i in taken))
     recording = Recording(
         path=Path(points),
-        kind="position",
-        measurement=Measurement(kind="position", frame="unknown"),
+        kind=POINTS,
+        measurement=Measurement(kind=POINTS, frame="unknown"),
         joint_unit=unit,
         joints=q[of_row],
         columns=("x_mm", "y_mm", "z_mm"),

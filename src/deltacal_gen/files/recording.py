@@ -19,17 +19,18 @@ import numpy as np
 
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.checks import check_home, check_repeats, impossible
-from deltacal_gen.files.columns import APPROACH, CHANNEL, JOINT, MEASURED, ONE_SETUP, RESERVED, TOOL, distances_path
+from deltacal_gen.files.columns import JOINT, MEASURED, ONE_SETUP, RESERVED, TOOL, distances_path, is_channel
 from deltacal_gen.files.dialect import LOOKED_AT
 from deltacal_gen.files.rows import Rows, csv_blocks, number_of, parquet_blocks, read_csv, read_table
 from deltacal_gen.files.sidecar import Sidecar, measurement_of, read_sidecar
 from deltacal_gen.files.toml import TomlFile
 from deltacal_gen.instrument import kinds
 from deltacal_gen.instrument.kind import Kind
-from deltacal_gen.instrument.kinds import kind_of
+from deltacal_gen.instrument.kinds import PAIRS, POINTS, kind_of
 from deltacal_gen.machine.machine import POSE
 from deltacal_gen.machine.rotation import from_vector
 from deltacal_gen.machine.values import POSITION, ROTATION, Recording
+from deltacal_gen.states import of_column
 from deltacal_gen.units import DEG, joint_factors, joint_names
 
 if TYPE_CHECKING:
@@ -356,7 +357,7 @@ def _kind(
             "no column holds a measured quantity.",
             f"Add one of: {'; '.join(', '.join(names) for names in columns.values())}.",
         )
-    return next(iter(present), kind_of("distance" if paired else "position"))
+    return next(iter(present), kind_of(PAIRS if paired else POINTS))
 
 
 def _present(columns: Mapping[Kind, tuple[str, ...]], given: Iterable[str]) -> list[Kind]:
@@ -415,11 +416,11 @@ def _channel(rows: Rows, name: str, doubtful: bool) -> np.ndarray | None:
     """
     if name in RESERVED or JOINT.fullmatch(name):
         return None
-    if not CHANNEL.fullmatch(name) and all(number_of(cell) is None for cell in rows.columns[name]):
+    if not is_channel(name) and all(number_of(cell) is None for cell in rows.columns[name]):
         return None
     values = rows.numbers(name)[:, 0]
-    if APPROACH.fullmatch(name):
-        values[values == 0] = np.nan  # the direction is not known
+    if of_column(name).levels:
+        values[values == 0] = np.nan  # one of its levels, but not known which
     wrong, expected = impossible(name, values)
     if wrong.any() and not doubtful:
         row = int(np.argmax(wrong))

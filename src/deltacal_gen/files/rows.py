@@ -15,7 +15,7 @@ from typing import TypeVar
 import numpy as np
 
 from deltacal_gen.errors import InputError
-from deltacal_gen.files.columns import CHANNEL, RESERVED
+from deltacal_gen.files.columns import RESERVED, is_channel
 from deltacal_gen.files.dialect import LABELS, LOOKED_AT, Layout, converted, encoding_of, layout_of, plain_number
 from deltacal_gen.files.toml import nearest
 
@@ -50,7 +50,7 @@ class Rows:
         for name in names:
             if name in self.columns:
                 continue
-            others = [n for n in self.columns if n not in RESERVED.union(names) and not CHANNEL.fullmatch(n)]
+            others = [n for n in self.columns if n not in RESERVED.union(names) and not is_channel(n)]
             stem = name.split("_")[0]
             close = next((n for n in others if n.lower().split("_")[0] == stem), None) or nearest(name, others)
             unit = f" in {name.split('_')[-1]}" if "_" in name else ""

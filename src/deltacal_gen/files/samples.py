@@ -17,6 +17,7 @@ from deltacal_gen.files.imports import Imported
 from deltacal_gen.files.robot import Robot, read_robot
 from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.machine.values import POSITION, ROTATION, Measurement, Recording
+from deltacal_gen.states import TIME
 
 GAP = 3.0  # periods: joints that far apart say nothing of what is between
 STILL = 1e-3  # of a joint's whole way: noise and quantisation of encoders at rest stay below
@@ -159,7 +160,7 @@ def imported(
         measured=joined.readings,
         pose=np.arange(1, rows + 1).astype(str),
         line=np.arange(rows) + 2,
-        channels={"time_s": joined.time - joined.time[0]},
+        channels={TIME: joined.time - joined.time[0]},
         setup=np.zeros(rows, dtype=int),
         setup_names=("1",),
     )

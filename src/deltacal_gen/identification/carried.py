@@ -20,6 +20,7 @@ from deltacal_gen.identification.folds import folds
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.terms import Term, load_effect, of_reading, without_rows
 from deltacal_gen.results.parts import Missing
+from deltacal_gen.states import TIME
 
 POSES, SEED = 400, 2021  # on which is judged what holds, drawn at random where there are more
 TOLERANCE = 0.1  # of chi2: what a last step of a fit may still gain that judges
@@ -44,7 +45,7 @@ def usable(problem: Problem, held: Sequence[Term]) -> tuple[tuple[Term, ...], tu
             cannot.append(Missing(name=term.effect, missing="that session: it happened once, and is past"))
         elif why is None:
             can.append(term)
-        elif of_reading([term]) or any(s.column == "time_s" for s in term.states):
+        elif of_reading([term]) or any(s.column == TIME for s in term.states):
             cannot.append(Missing(name=term.effect, missing=why))
         else:
             raise InputError(f"the effect '{term.effect}' needs {why}.", "Add it.", file=problem.recording.path)

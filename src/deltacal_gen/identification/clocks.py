@@ -26,6 +26,7 @@ from deltacal_gen.motion.clocks import Clock, TwoClocks
 from deltacal_gen.motion.regression import together
 from deltacal_gen.physics.terms import Term
 from deltacal_gen.results.result import Parameter, Status
+from deltacal_gen.states import SPEEDS, TIME
 from deltacal_gen.units import joint_factors, joint_names
 
 Progress = Callable[[str], None]
@@ -173,7 +174,7 @@ def _step(given: TwoClocks, count: int, found: Fit) -> tuple[Array, Array]:
     """Return what all unknowns together move the clocks by, offsets and then rate, and their standard deviations."""
     problem, recording = found.problem, found.problem.recording
     rows = problem.readings.rows[:, 0]
-    run, time = recording.channels["run"][rows].astype(int), recording.channels["time_s"][rows]
+    run, time = recording.channels["run"][rows].astype(int), recording.channels[TIME][rows]
     linear = problem.linearise(found.errors, found.instrument, found.machine)
     by_time = _by_time(problem, found)
     runs = np.ones((len(run), 1)) if given.shared else run[:, None] == np.arange(count)
@@ -202,7 +203,7 @@ def _by_time(problem: Problem, found: Fit) -> Array:
     used, x = problem.readings.used, problem.seen(found.machine)
     sensitivity = problem.sensitivity(found.machine, used)
     recording, count = problem.recording, problem.recording.joints.shape[1]
-    names = joint_names(recording.joint_unit, count, "qd{i}_{unit}_s")
+    names = joint_names(recording.joint_unit, count, SPEEDS)
     speeds = np.column_stack([recording.channels[n] for n in names]) * joint_factors(recording.joint_unit, count)
     turned = problem.robot.joint_sign * speeds
     dx = np.zeros((len(x), sensitivity.joints.shape[1], 1))

@@ -9,8 +9,8 @@ import numpy as np
 from deltacal_gen.estimation.fit import Fit
 from deltacal_gen.estimation.prior import with_prior
 from deltacal_gen.estimation.problem import Problem
-from deltacal_gen.instrument.kinds import kind_of
-from deltacal_gen.machine.registry import SOLVED, Array
+from deltacal_gen.instrument.kinds import PAIRS, POINTS, kind_of
+from deltacal_gen.machine.registry import SOLVED, Array, mechanism_of
 from deltacal_gen.machine.rotation import about_z
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.results.result import (
@@ -60,7 +60,9 @@ def remedies(final: Fit, absorbed: int = 0) -> tuple[Remedy, ...]:
 
 def _span(robot: Robot) -> float:
     """Return how far from the first further reference points are [mm]: half a platform, or what a flange carries."""
-    return HANDS if robot.links else float(np.mean([v[0] for v in robot.geometry.values()][:2])) / 2
+    if not mechanism_of(robot).looped:
+        return HANDS
+    return float(np.mean([v[0] for v in robot.geometry.values()][:2])) / 2
 
 
 def printed(final: Fit) -> tuple[Remedy, ...]:
@@ -71,7 +73,7 @@ def printed(final: Fit) -> tuple[Remedy, ...]:
     be off by is told with the change of the machine that goes along with it.
     """
     robot, mechanism = final.problem.robot, final.problem.mechanism
-    names, noise = mechanism.model(mechanism.full_model), kind_of("distance").usual_noise
+    names, noise = mechanism.model(mechanism.full_model), kind_of(PAIRS).usual_noise
     every, _ = with_prior(final.problem.with_names(names), robot)
     state = every.linearise(final.errors, final.instrument)
     A = np.nan_to_num(state.J_p * every.scale / final.sigma[None, :, None]).reshape(-1, len(names))
@@ -113,7 +115,7 @@ def printed(final: Fit) -> tuple[Remedy, ...]:
 
 
 def _as_positions(problem: Problem) -> Problem:
-    readings = kind_of("position").taken(np.unique(problem.readings.rows)[:, None])
+    readings = kind_of(POINTS).taken(np.unique(problem.readings.rows)[:, None])
     recording = dataclasses.replace(problem.recording, setup=np.zeros(problem.recording.n_rows, dtype=int))
     return dataclasses.replace(problem, readings=readings, recording=recording)
 

@@ -17,6 +17,7 @@ from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.values import Recording, numbered
 from deltacal_gen.physics.motion import with_motion
+from deltacal_gen.states import of_column
 
 ENOUGH = 12  # degrees of freedom, without which repeats say nothing of noise
 POWERS = (3, 2, 1)  # of a channel, up to which it is taken out: as many as the repeats carry
@@ -61,7 +62,7 @@ def repeats(final: Fit, recording: Recording) -> Shown:
     quiet = np.setdiff1d(np.arange(len(found)), final.gross)
     r = np.nan_to_num(lengths(final.residual, found.kind))[quiet]
     channels, same = _channels(found, recording), _of_one_point(found)
-    group = _levelled(same, {n: v for n, v in channels.items() if n != "time_s"})[quiet]
+    group = _levelled(same, {n: v for n, v in channels.items() if not of_column(n).passes})[quiet]
     alike = Shown(r, group, *Repeats.ratio_of(r, group)[1:])
     if alike.degrees >= ENOUGH or not channels:
         return alike

@@ -59,6 +59,10 @@ class Chain(Machine):
     deflections = DEFLECTIONS
     many_ways = linked = weighs = True
     looped = written_out = False
+    weighed_by = (
+        "masses: mass and com of the [[joint]] tables in the robot file; where none is known, an empty table [masses] "
+        "there and payload_kg in the recording, for what the payload does"
+    )
 
     def __init__(self, tables: ModuleType, links: tuple[Link, ...]) -> None:
         self._tables, self.links = tables, links

@@ -89,6 +89,11 @@ class Dynamics(ABC):
         With `points` a body of which no inertia is said is a point.
         """
 
+    @property
+    @abstractmethod
+    def numbers(self) -> dict[str, Array]:
+        """What no motion changes, as the C source of a machine in motion reads it, by the names that this has."""
+
     def of_points(self, places: Array) -> Array:
         """Return the inertial parameters (M, 10) of 1 kg at each of some places (M, 3) [mm] in a body's frame."""
         return np.array([self._kernels.of_point(place) for place in places])
@@ -150,9 +155,10 @@ class ChainDynamics(Dynamics):
         return np.concatenate([np.zeros(self._of_bodies - len(own)), own, np.zeros(len(self.rotors))])
 
     @property
-    def links(self) -> Array:
-        """What no pose changes of each link (links, n_k), as the kernels read it."""
-        return np.asarray(self._own[0])
+    def numbers(self) -> dict[str, Array]:
+        """What tells the chain from others, and what no pose changes of each link (links, n_k)."""
+        conventions, drives, much = self._machine.shape
+        return {"CONVENTION": conventions, "DRIVE": drives, "MUCH": much, "LINK_K": np.asarray(self._own[0])}
 
     def stated(self, *, points: bool = False) -> Array:
         """Return what the tables of links state; a fixed one without a mass has no body."""
@@ -234,6 +240,11 @@ class LimbDynamics(Dynamics):
         if not mass or inertia is None:
             return np.full(self.joints, UNIFORM)
         return 2 * inertia / (mass * self._machine.roles(self._robot)["l"] ** 2) * np.ones(self.joints)
+
+    @property
+    def numbers(self) -> dict[str, Array]:
+        """What no pose changes in the closures and in the bodies, and how the rods' masses move."""
+        return {"MOTION_K": self.constants[0][0], "BODY_K": self.constants[1][0], "SHARES": self.shares}
 
     def _given(self, motion: Array) -> tuple[Array, ...]:
         """Return what the kernels read."""

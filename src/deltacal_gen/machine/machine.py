@@ -121,6 +121,8 @@ class Machine(ABC):
         Whether limbs close loops, so that positions of the platform may be singular.
     linked : bool
         Whether its robot files list its links one by one.
+    weighed_by : str
+        What a robot file must hold for weights to load it, in words; "" where that is its table [masses].
     written_out : bool
         Whether the command of one pose exists as compiled code and as C.
     axes, turns : tuple of str
@@ -147,6 +149,7 @@ class Machine(ABC):
     many_ways: bool
     looped: bool
     linked: bool
+    weighed_by: str = ""
     written_out: bool
     axes: tuple[str, ...]
     turns: tuple[str, ...]

@@ -7,7 +7,6 @@ costs NumPy alone, so that arrays are identified as soon as a process has starte
 from __future__ import annotations
 
 import dataclasses
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -16,6 +15,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from deltacal_gen.results import shown
+from deltacal_gen.states import PAYLOAD, TIME
 from deltacal_gen.units import DEG
 
 if TYPE_CHECKING:
@@ -26,7 +26,6 @@ if TYPE_CHECKING:
 
 POSITION = ("x_mm", "y_mm", "z_mm")
 ROTATION = ("rx_deg", "ry_deg", "rz_deg")
-TEMPERATURE = re.compile(r"temp_(\w+_)?C")
 
 
 def numbered(rows: np.ndarray) -> np.ndarray:
@@ -253,12 +252,12 @@ class Recording:
     @property
     def time_s(self) -> np.ndarray | None:
         """(N,) time [s], or None."""
-        return self.channels.get("time_s")
+        return self.channels.get(TIME)
 
     @property
     def payload_kg(self) -> np.ndarray | None:
         """(N,) payload [kg], or None."""
-        return self.channels.get("payload_kg")
+        return self.channels.get(PAYLOAD)
 
     def subset(self, rows: np.ndarray | Sequence[int] | slice) -> Recording:
         """Return the recording with these rows only (indices, mask or slice); pairs keep both their rows or go."""

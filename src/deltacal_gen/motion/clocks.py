@@ -24,6 +24,7 @@ from deltacal_gen.physics import splines
 from deltacal_gen.physics.motion import REVERSED, approach
 from deltacal_gen.physics.splines import Path as Movement
 from deltacal_gen.physics.splines import Samples
+from deltacal_gen.states import ACCELERATIONS, APPROACH, SPEEDS, TIME
 from deltacal_gen.units import joint_factors, joint_names, of_joints
 
 if TYPE_CHECKING:
@@ -121,12 +122,12 @@ class TwoClocks:
                 f"Record joints over all of run '{self.run_names[self.run[row]]}', or leave the row out.",
                 file=self.recording.path,
                 line=int(self.recording.line[row]),
-                column="time_s",
+                column=TIME,
             )
         measured = np.where(known[:, None], self.recording.measured, np.nan)
         unit, count = self.recording.joint_unit, q.shape[1]
         factors = np.array(joint_factors(unit, count))
-        made = {"qd{i}_{unit}_s": self._at(clock, 1)[0] / factors, "qdd{i}_{unit}_s2": self._at(clock, 2)[0] / factors}
+        made = {SPEEDS: self._at(clock, 1)[0] / factors, ACCELERATIONS: self._at(clock, 2)[0] / factors}
         channels = {
             n: column for p, v in made.items() for n, column in zip(joint_names(unit, count, p), v.T, strict=True)
         }
@@ -164,7 +165,7 @@ class TwoClocks:
             own = given.run == code
             for j in range(count):
                 way[own, j] = approach(given.joints[own, j], float(least[j]))
-        known = dict(given.channels) | dict(zip(joint_names(unit, count, "approach{i}"), way.T, strict=True))
+        known = dict(given.channels) | dict(zip(joint_names(unit, count, APPROACH), way.T, strict=True))
         out = {name: np.full(len(when), np.nan) for name in known}
         for code in range(len(self.run_names)):
             rows, own = np.flatnonzero(self.run == code), np.flatnonzero(given.run == code)
@@ -195,8 +196,8 @@ def two_clocks(path: Path, machine: Machine, *, need_measured: bool = True, **ho
             file=path.with_suffix(".toml"),
         )
     readings = read_table(beside)
-    readings.require("time_s")
-    time = readings.numbers("time_s", blank=False)[:, 0]
+    readings.require(TIME)
+    time = readings.numbers(TIME, blank=False)[:, 0]
     labels = readings.labels("run", blank=False) or [joints.run_names[0]] * len(time)
     if "run" in rows.columns and "run" not in readings.columns and len(joints.run_names) > 1:
         raise readings.error("the joints have several runs, and these readings none.", "Add the column run.")

@@ -12,6 +12,7 @@ from deltacal_gen.errors import InputError
 from deltacal_gen.motion.trajectories import Trajectories
 from deltacal_gen.physics import splines
 from deltacal_gen.physics.splines import DEGREE, Samples
+from deltacal_gen.states import TIME
 from deltacal_gen.units import of_joints
 
 if TYPE_CHECKING:
@@ -69,7 +70,7 @@ def motion(given: Trajectories, cutoff: float | None = None) -> Motion:
             f"samples lie {given.step:g} s apart: what joints do in between is not seen.",
             "Give time_s in seconds; or record speeds and accelerations and say so under [motion].",
             file=given.path,
-            column="time_s",
+            column=TIME,
         )
     base, order = (given.joints, 0) if said is None else (given.recorded[0], 1)
     samples, units = Samples(base, given.time, given.piece), of_joints(given.joint_unit, base.shape[1])

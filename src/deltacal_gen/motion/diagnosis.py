@@ -42,6 +42,7 @@ from deltacal_gen.results.motion import (
     Unexplained,
 )
 from deltacal_gen.results.parts import Missing
+from deltacal_gen.states import read_by
 from deltacal_gen.units import of_sliding
 
 if TYPE_CHECKING:
@@ -50,15 +51,6 @@ if TYPE_CHECKING:
 Progress = Callable[[str], None]
 MUCH = 0.1  # of what a drive gives: so much noise is said
 LAW = "law"  # in a ladder: what nobody has registered, all terms together
-VARIED = {  # what must differ more, for effects to be told apart that read a state
-    "qd": "speeds, from creeping to the fastest",
-    "qdd": "accelerations",
-    "torque": "loads, with and without a payload",
-    "turn": "angles, over the whole range",
-    "q": "angles, over the whole range",
-    "warming": "temperatures",
-}
-NEEDS = {"warming": "temperatures that differ in a column temp_C", "turn": "joints that pass two periods"}
 
 
 def diagnose(robot: Robot, given: Trajectories, progress: Progress) -> MotionDiagnosis:
@@ -389,7 +381,7 @@ def _not_tested(session: Session, fits: Sequence[Fit]) -> tuple[Missing, ...]:
     found = []
     for name in drive_effect_names():
         if name not in tested:
-            needs = [words for state, words in NEEDS.items() if state in load_effect(name).STATE]
+            needs = [s.needed for s in read_by(load_effect(name)) if s.needed]
             found.append(Missing(name=name, missing="; ".join(needs) or "longer motion"))
     if session.stated() is None:
         needs = ["mass, com and inertia of every body in the robot file, and readings whose torque is known"]
@@ -403,7 +395,7 @@ def _next(session: Session, effects: Sequence[TorqueEffect], fits: Sequence[Fit]
     for effect in effects:
         if effect.indistinguishable_from:
             names = (effect.name, *effect.indistinguishable_from)
-            varied = dict.fromkeys(VARIED.get(state, state) for name in names for state in load_effect(name).STATE)
+            varied = dict.fromkeys(s.varied or s.name for name in names for s in read_by(load_effect(name)))
             joints = ", ".join(map(str, effect.limbs))
             found.append(
                 NextMeasurement(

@@ -24,6 +24,7 @@ from deltacal_gen.motion.prediction import given_by_drive, known_beforehand, rem
 from deltacal_gen.motion.rigid import Rigid
 from deltacal_gen.motion.trajectories import Readout, Trajectories, readouts_of
 from deltacal_gen.results.motion import JointModel, MotionModel
+from deltacal_gen.states import TIME
 from deltacal_gen.units import joint_factors, joint_names
 
 if TYPE_CHECKING:
@@ -69,7 +70,7 @@ class FeedForward:
         found: dict[str, object] = {}
         if self.given.run_names != ("1",):
             found["run"] = [self.given.run_names[code] for code in self.given.run]
-        found["time_s"] = self.given.time
+        found[TIME] = self.given.time
         for values, pattern in zip(self.states, PATTERNS, strict=True):
             found |= dict(zip(joint_names(unit, limbs, pattern), (values / factors).T, strict=True))
         return found | dict(zip(self.columns, self.torque.T, strict=True))

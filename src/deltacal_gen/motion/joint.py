@@ -14,7 +14,7 @@ import numpy as np
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.derivatives import Motion
 from deltacal_gen.motion.ladder import BUYS, Ladder, LookedAt, columns_of
-from deltacal_gen.motion.library import Rung, hats, of_joint, resolution, rungs
+from deltacal_gen.motion.library import LOAD, Rung, hats, of_joint, resolution, rungs
 from deltacal_gen.motion.regression import BETWEEN, Bench, folds_of, together
 from deltacal_gen.motion.sizes import settled
 from deltacal_gen.motion.trajectories import Readout, Trajectories
@@ -124,11 +124,11 @@ class Joint:
     def candidates(self) -> tuple[Rung, ...]:
         """All effects that these samples can tell, with the constants to be looked at."""
         every = np.ones(len(self.y), dtype=bool)
-        return tuple(rungs(self.robot, self.states | {"torque": self.y + self.carried}, every))
+        return tuple(rungs(self.robot, self.states | {LOAD: self.y + self.carried}, every))
 
     def columns(self, some: Sequence[Rung], load: Array) -> Array:
         """Return the columns (M, r + c) of the rigid machine and of some effects, by the load (M,) on the joint."""
-        states = self.states | {"torque": load}
+        states = self.states | {LOAD: load}
         return np.hstack([self.X, *(self.of_rung(rung, states) for rung in some)])
 
     def of_rung(self, rung: Rung, states: dict[str, Array]) -> Array:
@@ -386,7 +386,7 @@ class Fit:
         """Return what the effects add at some of the samples used, a few of the joint's states being other ones."""
         total, at = np.zeros(len(self.left[picked])), self.joint.X.shape[1]
         for rung in self.rungs:
-            states = self.joint.states | {"torque": self.load} | self.joint.remembered(rung)
+            states = self.joint.states | {LOAD: self.load} | self.joint.remembered(rung)
             columns = rung.columns({name: values[picked] for name, values in states.items()} | moved)
             total += columns @ self.coefficients[at : at + rung.width]
             at += rung.width
@@ -433,7 +433,7 @@ def _by_own_load(joint: Joint, some: Sequence[Rung], load: Array, folds: Sequenc
     It begins with a load by usual friction, which of a joint with more takes a part of that for the machine's.
     """
     X, rigid = joint.columns(some, load), joint.X.shape[1]
-    for _ in range(SETTLES if any("torque" in rung.kernels.STATE for rung in some) else 0):
+    for _ in range(SETTLES if any(rung.of_load for rung in some) else 0):
         bench, every = Bench.of(X, joint.y, joint.fold, rigid), range(X.shape[1])
         bench = bench.with_ridge(every, folds)
         found = bench.fit(every, range(len(bench.n)) if folds is None else folds) / bench.scale
@@ -494,14 +494,14 @@ def _settled(joint: Joint, ladder: Ladder, chosen: Sequence[int], held_out: Arra
     """Return the fit of some rungs to all samples, and the ladder with these at the sizes and the load found."""
     fit = fitted(joint, [ladder.rungs[k] for k in chosen], held_out)
     found = zip(chosen, fit.rungs, strict=True)
-    moved = {k: rung for k, rung in found if rung.continuous or "torque" in rung.kernels.STATE}
+    moved = {k: rung for k, rung in found if rung.continuous or rung.of_load}
     return fit, _with_rungs(joint, ladder, moved, fit.load)
 
 
 def _apart(joint: Joint, ladder: Ladder, others: Sequence[int], own: np.ndarray) -> Array:
     """Return residuals of some samples `own` by a choice and a fit of other folds alone."""
     load = joint.load_by(others)
-    by_load = {k: rung for k, rung in enumerate(ladder.rungs) if "torque" in rung.kernels.STATE}
+    by_load = {k: rung for k, rung in enumerate(ladder.rungs) if rung.of_load}
     ladder, chosen = _climbed_by(joint, _with_rungs(joint, ladder, by_load, load), load, others)
     _, columns = _by_own_load(joint, [ladder.rungs[k] for k in chosen], load, others)
     apart, every = Bench.of(columns, joint.y, joint.fold, joint.X.shape[1]), range(columns.shape[1])
@@ -529,7 +529,7 @@ def _climbed_by(joint: Joint, ladder: Ladder, load: Array, folds: Sequence[int])
 
 def _with_rungs(joint: Joint, ladder: Ladder, rungs: Mapping[int, Rung], load: Array) -> Ladder:
     """Return a ladder with other rungs of the same effects in some places, by some load."""
-    states, every, X = joint.states | {"torque": load}, list(ladder.rungs), ladder.X.copy(order="K")
+    states, every, X = joint.states | {LOAD: load}, list(ladder.rungs), ladder.X.copy(order="K")
     for k, rung in rungs.items():
         every[k] = rung
         X[:, ladder.at[k]] = joint.of_rung(rung, states)

@@ -18,6 +18,8 @@ from deltacal_gen.motion.trajectories import Sidecar, Trajectories
 from deltacal_gen.physics.law import is_law
 from deltacal_gen.physics.terms import drive_effect_names, load_effect
 from deltacal_gen.results.motion import MotionDiagnosis, MotionModel, MotionResult, MotionValidation
+from deltacal_gen.results.reader import TORQUE
+from deltacal_gen.states import TIME
 from deltacal_gen.units import joint_factors, joint_names
 
 
@@ -81,7 +83,14 @@ class Torque:
         return validated(known, self.read(robot_of(known.robot)))
 
 
-KINDS: Mapping[str, type[Torque]] = {"torque": Torque}
+KINDS: Mapping[str, type[Torque]] = {TORQUE: Torque}
+
+
+def plans_motion(kind: str | None, model: str | None) -> bool:
+    """Tell whether what is to be planned is a trajectory: by the kind of its readings, or for the rigid machine."""
+    from deltacal_gen.motion.identification import RIGID
+
+    return kind in KINDS or (model is not None and model.endswith(f"/{RIGID}"))
 
 
 def in_motion(recording: object) -> Torque | None:
@@ -130,4 +139,4 @@ def columns_of(done: Trajectories) -> dict[str, Any]:
     joints = zip(joint_names(done.joint_unit, limbs), (done.joints / factors).T, strict=True)
     runs = {} if done.run_names == ("1",) else {"run": [done.run_names[code] for code in done.run]}
     readings = dict(zip(done.columns, done.readings.T, strict=True))
-    return {**runs, "time_s": done.time, **dict(joints), **done.channels, **readings}
+    return {**runs, TIME: done.time, **dict(joints), **done.channels, **readings}

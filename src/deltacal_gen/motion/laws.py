@@ -21,17 +21,18 @@ from scipy.optimize import minimize
 
 from deltacal_gen.motion.joint import Fit, fitted
 from deltacal_gen.motion.ladder import BEGUN_WITH, BUYS, PER_COEFFICIENT, Ladder, columns_of
-from deltacal_gen.motion.library import Rung
+from deltacal_gen.motion.library import LOAD, Rung
 from deltacal_gen.motion.regression import BETWEEN, Bench
 from deltacal_gen.motion.unexplained import SHOWS, Rest, channels, rest
 from deltacal_gen.physics.grammar import THRESHOLDS, Atom, Form, full, product, single, switch
 from deltacal_gen.physics.law import PREFIX, Law, load_law
+from deltacal_gen.states import STATES
 
 if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Array
 
 # states that a law is made of; of the time none is: what wanders is met by any function of it
-OF = ("q", "qd", "qdd", "torque", "temperature")
+OF = [s.name for s in sorted(STATES.values(), key=lambda s: s.drive_law) if s.drive_law]
 OFFSET = "torque_offset"
 TERMS = 4  # of a law
 SWEEPS = 3  # of refining terms beside one another
@@ -127,7 +128,7 @@ def _law(fit: Fit, sigma: float | None) -> Lawful | None:
     forms, gain, charge, alike = search.found()
     if not forms or (proof := _proof(fit, [_rung(f, search.limits) for f in forms], inside, apart)) is None:
         return None
-    for _ in range(SETTLES if any("torque" in form.states for form in forms) else 1):
+    for _ in range(SETTLES if any(LOAD in form.states for form in forms) else 1):
         every = _Search(fit, folds)
         forms, limits = every.settled(forms), every.limits
         terms = [_rung(form, limits) for form in forms]
@@ -187,7 +188,7 @@ def _forms(states: dict[str, Array]) -> Iterator[Form]:
         yield from (single(name, atom) for atom in (*full(name, values), *_stops(name, values)))
     for friction in (Atom("sign(qd)"), Atom("qd")):
         for name, values in own.items():
-            if name in ("qd", "qdd") or switch(values):
+            if STATES[name].rests or switch(values):
                 continue
             yield from (product(("qd", friction), (name, atom)) for atom in full(name, values))
 
@@ -214,7 +215,7 @@ class _Search:
 
     def __init__(self, fit: Fit, folds: Sequence[int]) -> None:
         self.fit, self.folds = fit, folds
-        self.states = states = fit.joint.states | {"torque": fit.load}
+        self.states = states = fit.joint.states | {LOAD: fit.load}
         self.limits = {name: (float(values.min()), float(values.max())) for name, values in states.items()}
         rows = np.flatnonzero(np.isin(fit.joint.fold, folds))
         self.rows = rows[:: -(-len(rows) // SCREENED)]
@@ -325,7 +326,7 @@ def _proof(fit: Fit, terms: Sequence[Rung], inside: Sequence[int], apart: Sequen
 
     Coefficients are of the folds of the search.
     """
-    joint, states = fit.joint, fit.joint.states | {"torque": fit.load}
+    joint, states = fit.joint, fit.joint.states | {LOAD: fit.load}
     own = joint.columns(fit.rungs, fit.load)
     law = np.hstack([rung.columns(states) for rung in terms])
     smooth = list(channels(fit).values())
@@ -352,7 +353,7 @@ def _proof(fit: Fit, terms: Sequence[Rung], inside: Sequence[int], apart: Sequen
 
 def _std(fit: Fit, forms: Sequence[Form], limits: dict[str, tuple[float, float]]) -> tuple[tuple[float, ...], ...]:
     """Return standard deviations of coefficients and constants of a law, all fitted with everything else."""
-    joint, states = fit.joint, fit.joint.states | {"torque": fit.load}
+    joint, states = fit.joint, fit.joint.states | {LOAD: fit.load}
     X = joint.columns(fit.rungs, fit.load)
     at = X.shape[1] - sum(len(form.functions) for form in forms)
     columns, places = [X], []

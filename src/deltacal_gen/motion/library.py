@@ -12,6 +12,7 @@ from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.trajectories import Trajectories, temperature
 from deltacal_gen.physics.memory import along
 from deltacal_gen.physics.terms import Kernels, drive_effect_names, load_effect, remembers
+from deltacal_gen.states import CHANNELS, TEMPERATURE, read_by
 from deltacal_gen.units import DEG
 
 if TYPE_CHECKING:
@@ -26,6 +27,7 @@ LARGEST = 0.4
 VARIES = 0.5  # K: temperatures that differ by less tell nothing
 TRAVELS = 2.5  # factor between ways of a joint that are looked at
 SAMPLES = 2.0  # of a joint at its usual speed: the shortest way that its samples tell
+LOAD = "torque"  # the state that is what the rigid machine asks of a joint: it comes with a fit, not with the motion
 ASTRAY = 1e-2  # of what is remembered, from sample to sample: below what readings tell of one
 
 
@@ -52,6 +54,11 @@ class Rung:
     def width(self) -> int:
         """Number of its coefficients."""
         return len(self.kernels.COEFFICIENTS)
+
+    @property
+    def of_load(self) -> bool:
+        """Whether it reads what the rigid machine asks of the joint."""
+        return LOAD in self.kernels.STATE
 
     @property
     def continuous(self) -> bool:
@@ -100,8 +107,8 @@ def of_joint(given: Trajectories, motion: Array, joint: int, load: Array | None 
     q, qd, qdd = motion[:, :, joint]
     found = {"q": q, "turn": q, "qd": qd, "qdd": qdd, "time": given.time}
     if (known := temperature(given)) is not None:
-        found |= {"temperature": known, "warming": known - 20.0}
-    return found if load is None else found | {"torque": load}
+        found |= {s.name: known - s.zero for s in CHANNELS if s.column == TEMPERATURE}
+    return found if load is None else found | {LOAD: load}
 
 
 def rungs(robot: Robot, states: dict[str, Array], used: np.ndarray) -> Iterator[Rung]:
@@ -110,7 +117,7 @@ def rungs(robot: Robot, states: dict[str, Array], used: np.ndarray) -> Iterator[
         kernels = load_effect(name)
         if any(state not in states for state in kernels.STATE):
             continue
-        if "warming" in kernels.STATE and np.nanstd(states["warming"][used]) < VARIES:
+        if any(np.nanstd(states[s.name][used]) < VARIES for s in read_by(kernels) if s.step):
             continue
         if not kernels.SEARCHED:
             yield Rung(name)

@@ -9,6 +9,7 @@ import numpy as np
 from deltacal_gen.errors import NoSolutionError
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Robot
+from deltacal_gen.states import ACCELERATIONS, JOINTS, SPEEDS
 from deltacal_gen.units import DEG, joint_factors, joint_names
 
 if TYPE_CHECKING:
@@ -18,7 +19,7 @@ USUAL = {  # where the robot file says nothing: way either side of the middle, s
     "rad": (60 * DEG, 60 * DEG, 240 * DEG),
     "mm": (150.0, 200.0, 1000.0),
 }
-PATTERNS = ("q{i}_{unit}", "qd{i}_{unit}_s", "qdd{i}_{unit}_s2")
+PATTERNS = (JOINTS, SPEEDS, ACCELERATIONS)
 
 
 def limits_of(robot: Robot) -> tuple[tuple[Array, Array, Array, Array], list[str]]:

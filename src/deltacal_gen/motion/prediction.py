@@ -12,7 +12,7 @@ import numpy as np
 from deltacal_gen.files.robot import robot_of
 from deltacal_gen.motion.derivatives import motion
 from deltacal_gen.motion.joint import earlier
-from deltacal_gen.motion.library import Rung, of_joint
+from deltacal_gen.motion.library import LOAD, Rung, of_joint
 from deltacal_gen.motion.payload import torque_of
 from deltacal_gen.motion.rigid import Rigid
 from deltacal_gen.motion.trajectories import Readout, Trajectories
@@ -55,7 +55,7 @@ def predicted(known: MotionModel, given: Trajectories) -> Trajectories:
         value = given_by_drive(model, read, remembered(model, read, given), *own)
         moving = np.abs(late(found.states[1, :, j - 1])) > model.at_rest_below
         out[:, j - 1] = np.where(moving, value / done.readouts[j - 1].inside, np.nan)
-        outside |= moving & beyond_laws(model, read | {"torque": load_of(model, *own)})
+        outside |= moving & beyond_laws(model, read | {LOAD: load_of(model, *own)})
     return dataclasses.replace(done, readings=out, outside=outside)
 
 
@@ -115,7 +115,7 @@ def given_by_drive(
         What is known of what it must give; see `known_beforehand`.
     """
     load = load_of(model, columns, known, readout)
-    read, total = read | {"torque": load}, load
+    read, total = read | {LOAD: load}, load
     for term, own in zip(model.terms, past, strict=True):
         total = total + Rung(term.effect, term.constants).columns(read | own) @ np.array(term.values)
     return np.asarray(total)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from deltacal_gen.motion.library import Rung
+from deltacal_gen.motion.library import LOAD, Rung
 from deltacal_gen.motion.regression import Bench
 
 if TYPE_CHECKING:
@@ -63,6 +63,6 @@ def _times(rung: Rung, factor: float) -> Rung:
 def _by_size(joint: Joint, rungs: Sequence[Rung], n: int, coefficients: Array, load: Array) -> Array:
     """Return the derivative (M,) of what a fit says of a joint by the logarithm of one effect's size."""
     at = joint.X.shape[1] + sum(rung.width for rung in rungs[:n])
-    own, states = coefficients[at : at + rungs[n].width], joint.states | {"torque": load}
+    own, states = coefficients[at : at + rungs[n].width], joint.states | {LOAD: load}
     ahead, back = (joint.of_rung(_times(rungs[n], float(np.exp(way))), states) for way in (STEP, -STEP))
     return np.asarray((ahead - back) @ own / (2 * STEP))

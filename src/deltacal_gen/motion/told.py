@@ -8,12 +8,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from deltacal_gen.motion.laws import Lawful
+from deltacal_gen.motion.library import LOAD
 from deltacal_gen.motion.session import Session
 from deltacal_gen.physics.formula import unit, written
 from deltacal_gen.physics.law import Law, inside, load_law
-from deltacal_gen.physics.states import named
 from deltacal_gen.results.diagnosis import LawCoefficient, LawCurve, LawTerm
 from deltacal_gen.results.motion import TorqueLaw
+from deltacal_gen.states import named
 
 if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Array
@@ -93,7 +94,7 @@ def _joint_unit(session: Session, joint: int) -> str:
 def _curve(session: Session, law: Lawful) -> LawCurve:
     """Return the law of a joint along its first state, others at their median, and what samples say of it there."""
     fit, joint = law.fit, law.fit.joint
-    states = joint.states | {"torque": fit.load}
+    states = joint.states | {LOAD: fit.load}
     module = load_law(law.rungs[0].effect)
     assert isinstance(module, Law)
     first, *others = sorted(module.STATE, key=lambda s: s == "qd")  # friction is drawn along what changes it

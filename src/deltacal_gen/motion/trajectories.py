@@ -18,8 +18,9 @@ from deltacal_gen.errors import InputError
 from deltacal_gen.files.rows import Rows, number_of, read_table
 from deltacal_gen.files.sidecar import Noise
 from deltacal_gen.files.toml import Table, TomlFile
-from deltacal_gen.machine.values import TEMPERATURE
 from deltacal_gen.physics.splines import ordinary_step, pieces_of
+from deltacal_gen.results.reader import KINDS_IN_MOTION
+from deltacal_gen.states import ACCELERATIONS, PAYLOAD, SPEEDS, STATES, TIME
 from deltacal_gen.units import joint_factors, joint_names, of_joints
 
 if TYPE_CHECKING:
@@ -186,7 +187,7 @@ class Trajectories:
     @property
     def payload(self) -> Array:
         """Mass at the tool point (N,) [kg]; nothing where the file does not say."""
-        found = self.channels.get("payload_kg")
+        found = self.channels.get(PAYLOAD)
         return np.zeros(self.n_rows) if found is None else np.nan_to_num(found)
 
 
@@ -197,10 +198,7 @@ def read_sidecar(path: Path) -> Sidecar | None:
         return None
     file = TomlFile.read(sidecar)
     head = file.data.get("measurement", {})
-    return file.check(Sidecar) if isinstance(head, Mapping) and head.get("kind") in KINDS else None
-
-
-KINDS = ("torque",)
+    return file.check(Sidecar) if isinstance(head, Mapping) and head.get("kind") in KINDS_IN_MOTION else None
 
 
 def read(path: str | Path, machine: Machine, sidecar: Sidecar, *, need_measured: bool = True) -> Trajectories:
@@ -216,8 +214,8 @@ def read(path: str | Path, machine: Machine, sidecar: Sidecar, *, need_measured:
 
 def trajectories(rows: Rows, machine: Machine, sidecar: Sidecar, *, need_measured: bool = True) -> Trajectories:
     """Return the rows of a table as samples in time; see `read`."""
-    rows.require("time_s")
-    time = rows.numbers("time_s", blank=False)[:, 0]
+    rows.require(TIME)
+    time = rows.numbers(TIME, blank=False)[:, 0]
     labels = rows.labels("run", blank=False) or ["1"] * len(time)
     run_names = tuple(dict.fromkeys(labels))
     run = np.array([run_names.index(label) for label in labels])
@@ -247,12 +245,9 @@ def trajectories(rows: Rows, machine: Machine, sidecar: Sidecar, *, need_measure
             for k, value in spikes.items()
         ]
     recorded = np.array(
-        [
-            _numbers(rows, joint_names(unit, limbs, pattern)) * factors
-            for pattern in ("qd{i}_{unit}_s", "qdd{i}_{unit}_s2")
-        ]
+        [_numbers(rows, joint_names(unit, limbs, pattern)) * factors for pattern in (SPEEDS, ACCELERATIONS)]
     )
-    own = {*names, *columns, "time_s", "run", "pose", "setup"}
+    own = {*names, *columns, TIME, "run", "pose", "setup"}
     found = Trajectories(
         path=rows.path,
         joint_unit=unit,
@@ -311,7 +306,7 @@ def _increasing(rows: Rows, time: Array, run: np.ndarray, names: tuple[str, ...]
                 f"time goes backwards within run '{name}': {time[row - 1]:g} s, then {time[row]:g} s.",
                 "Sort the rows, or give each uninterrupted movement a label of its own in the column 'run'.",
                 row=row,
-                column="time_s",
+                column=TIME,
             )
         repeated = own[1:][steps == 0]
         kept[repeated] = False
@@ -367,7 +362,8 @@ def _channel(rows: Rows, name: str) -> Array:
 
 def temperature(given: Trajectories) -> Array | None:
     """Return the temperature (N,) [degC] of a recording that has one."""
-    return next((values for name, values in given.channels.items() if TEMPERATURE.fullmatch(name)), None)
+    warmth = STATES["temperature"]
+    return next((values for name, values in given.channels.items() if warmth.holds(name)), None)
 
 
 def _counted_on(angles: Array, piece: np.ndarray) -> np.ndarray:
@@ -428,7 +424,7 @@ def _check_derivatives(rows: Rows, found: Trajectories, machine: Machine) -> Non
     for order in needed:
         blank = np.isnan(found.recorded[order])
         if blank.any():
-            pattern = ("qd{i}_{unit}_s", "qdd{i}_{unit}_s2")[order]
+            pattern = (SPEEDS, ACCELERATIONS)[order]
             row, joint = np.argwhere(blank)[0]
             column = joint_names(machine.joint_unit, machine.limbs, pattern)[joint]
             raise InputError(

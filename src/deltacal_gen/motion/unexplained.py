@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from scipy.stats import chi2
 
 from deltacal_gen.motion.joint import Fit
 from deltacal_gen.motion.ladder import PER_COEFFICIENT
-from deltacal_gen.motion.library import hats
+from deltacal_gen.motion.library import LOAD, hats
 from deltacal_gen.motion.regression import GAP, Bench
 from deltacal_gen.physics.terms import remembers
+from deltacal_gen.states import named
 
 if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Array
@@ -59,36 +61,42 @@ class Rest:
     text: str
 
 
-WORDS = {
-    "speed": "its speed",
-    "angle": "its position",
-    "load": "the torque that the rigid machine asks of it",
-    "acceleration": "its acceleration",
-    "time": "the time",
-    "temperature": "the temperature",
-    "direction": "its position, differently in both directions",
-    "friction": "the torque that the rigid machine asks of it, differently in both directions",
-    "reversal": "how far it has moved since it last turned back",
-    "history": "the ways it came, over several reversals",
+class Seen(NamedTuple):
+    """What a rest may depend on: a state or another number, whether differently in both directions, and in words."""
+
+    of: str
+    either_way: bool
+    words: str
+
+
+def _seen(name: str) -> Seen:
+    return Seen(name, False, named(name).its)
+
+
+def _seen_either_way(name: str) -> Seen:
+    return Seen(name, True, f"{named(name).its}, differently in both directions")
+
+
+SEEN: Mapping[str, Seen] = {  # as answers call it
+    "speed": _seen("qd"),
+    "angle": _seen("q"),
+    "load": _seen("torque"),
+    "acceleration": _seen("qdd"),
+    "time": _seen("time"),
+    "direction": _seen_either_way("q"),
+    "friction": _seen_either_way("torque"),
+    "reversal": Seen("reversal", True, "how far it has moved since it last turned back"),
+    "temperature": _seen("temperature")._replace(either_way=True),
 }
+HISTORY = Seen("history", True, "the ways it came, over several reversals")
 
 
 def channels(fit: Fit) -> dict[str, Array]:
     """Return smooth functions (M, k) of what the rest of a joint may depend on."""
     states, one = fit.joint.states, np.ones(len(fit.left))
     way = np.sign(states["qd"])
-    found = {
-        "speed": (states["qd"], one),
-        "angle": (states["q"], one),
-        "load": (fit.load, one),
-        "acceleration": (states["qdd"], one),
-        "time": (states["time"], one),
-        "direction": (states["q"], way),
-        "friction": (fit.load, way),
-        "reversal": (_since_reversal(fit), way),
-    }
-    if "temperature" in states:
-        found["temperature"] = (states["temperature"], way)
+    every = states | {LOAD: fit.load, "reversal": _since_reversal(fit)}
+    found = {n: (every[s.of], way if s.either_way else one) for n, s in SEEN.items() if s.of in every}
     smooth = {n: hats(values, WAVES) * by[:, None] for n, (values, by) in found.items() if np.ptp(values) > 0}
     smooth["speed"] = np.column_stack([smooth["speed"], way])  # what depends on the speed may jump where it turns
     # what changes as the session goes on, friction that runs in, goes with the speed and its sign as well
@@ -97,14 +105,14 @@ def channels(fit: Fit) -> dict[str, Array]:
     along = smooth.get("time", np.empty((len(one), 0)))
     smooth["time"] = np.hstack([along, *(session * by[:, None] for by in by_time)])
     history = _history(fit)
-    return smooth | ({"history": history} if history.size else {})
+    return smooth | ({HISTORY.of: history} if history.size else {})
 
 
 def _history(fit: Fit) -> Array:
     """Return what builds up over ways of many sizes (M, k): together any hysteresis that does not depend on time."""
     joint = fit.joint
     remember = [rung for rung in joint.candidates if remembers(rung.kernels)]
-    states = joint.states | {"torque": fit.load}
+    states = joint.states | {LOAD: fit.load}
     return np.hstack([np.empty((len(fit.left), 0)), *(joint.of_rung(rung, states) for rung in remember)])
 
 
@@ -180,7 +188,8 @@ def rest(fit: Fit, sigma: float | None) -> Rest | None:
     known = dependences(fit)
     if known and (share := known[0].share) > SHOWS:
         name = known[0].channel
-        text = f"what is left of joint {fit.joint.number} depends on {WORDS[name]}: {100 * share:.0f} % of its rms"
+        on = SEEN.get(name, HISTORY).words
+        text = f"what is left of joint {fit.joint.number} depends on {on}: {100 * share:.0f} % of its rms"
         return Rest(fit.joint.number, name, share, text)
     if (over := _held_out(fit) / max(_rough(fit), 1e-300)) > SMOOTH:
         text = f"what is left of joint {fit.joint.number} on held-out samples is {over:.3g} times what differs within"

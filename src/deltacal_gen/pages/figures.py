@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import io
 import math
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -23,7 +22,7 @@ from matplotlib.ticker import PercentFormatter
 
 from deltacal_gen.files.robot import robot_of
 from deltacal_gen.files.writing import staging
-from deltacal_gen.instrument.kinds import kind_of
+from deltacal_gen.instrument.kinds import POINTS, kind_of
 from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.channels import Channels
@@ -35,6 +34,7 @@ from deltacal_gen.results.diagnosis import Baseline, Diagnosis, Effect, Final, V
 from deltacal_gen.results.motion import MotionStudy
 from deltacal_gen.results.result import Result, Status
 from deltacal_gen.results.study import Study, Suspect
+from deltacal_gen.states import of_column
 from deltacal_gen.units import file_unit, joint_factors, joint_names, to_internal
 
 MOST_LAYERS = 12  # of a workspace, drawn side by side
@@ -234,27 +234,20 @@ def workspace(axes: Axes, result: Result) -> None:
 
 # ------------------------------------------------------------------------------------------------------- diagnosis
 
-_LABELS = {
-    "time_s": "time, s",
-    "temp_C": "temperature, °C",
-    "payload_kg": "payload, kg",
-    "position": "position",
-}
-_JOINT = re.compile(r"(?P<what>approach|qdd|qd|q)(?P<joint>\d+)(_(?P<unit>\w+))?")
-_JOINT_WORDS = {"q": "joint {}", "qd": "speed of joint {}", "qdd": "acceleration of joint {}"}
 JOINT_UNITS = {"deg": "deg", "mm": "mm", "deg_s": "deg/s", "mm_s": "mm/s", "deg_s2": "deg/s²", "mm_s2": "mm/s²"}
+PURE = "1"  # the unit of a number without one
 _RANDOM = 0  # seed of the jitter that lets equal values of a channel be seen side by side
 
 
 def channel_label(name: str) -> str:
     """Return a channel as a reader knows it, with its unit."""
-    found = _JOINT.fullmatch(name)
-    if found is None:
-        return _LABELS.get(name, name)
-    if found["what"] == "approach":
-        return f"direction in which joint {found['joint']} last moved"
-    words = _JOINT_WORDS[found["what"]].format(found["joint"])
-    return f"{words}, {JOINT_UNITS.get(found['unit'] or '', found['unit'])}"
+    state = of_column(name)
+    found = state.pattern.fullmatch(name)
+    if not state.called or found is None:
+        return name
+    number, unit = (*found.groups(), "", "")[:2]
+    unit = JOINT_UNITS.get(unit, unit) or state.unit.replace("degC", "°C")
+    return state.called.format(i=number) + (f", {unit}" if unit != PURE else "")
 
 
 @dataclass(frozen=True)
@@ -311,7 +304,7 @@ def contribution(found: Diagnosis, effect: int) -> Array | None:
     with_it, without = body.solve(errors, terms)[0].x[:, :3], body.solve(errors, others)[0].x[:, :3]
     turn, origin = np.split(found.instrument.state[0, :12], [9])
     read = [x @ turn.reshape(3, 3).T + origin for x in (with_it, without)]
-    positions = kind_of("position").taken(np.arange(len(with_it))[:, None], values=with_it)
+    positions = kind_of(POINTS).taken(np.arange(len(with_it))[:, None], values=with_it)
     shifted = [r + reading_shift(t, body, positions, r, with_it)[0] for r, t in zip(read, (terms, others), strict=True)]
     out: Array = shifted[0] - shifted[1]
     return out
@@ -362,7 +355,8 @@ def against(axes: Axes, found: Diagnosis, channel: str, *, after: bool) -> None:
     axes.set_xlabel(channel_label(channel))
     axes.set_ylabel(picked.label)
     if few:
-        words = {-1.0: "-1, decreasing", 1.0: "+1, increasing"} if channel.startswith("approach") else {}
+        ways = of_column(channel).levels
+        words = {way: f"{way:+.0f}, {'increasing' if way > 0 else 'decreasing'}" for way in ways}
         axes.set_xticks(levels, [words.get(float(v), f"{v:g}") for v in levels])
 
 

@@ -17,6 +17,7 @@ from deltacal_gen.pages import figures
 from deltacal_gen.pages.figures import mpl
 from deltacal_gen.planning.matrix import Plan
 from deltacal_gen.results.motion import MotionPlan
+from deltacal_gen.states import TIME
 from deltacal_gen.units import joint_factors, joint_names
 
 
@@ -69,7 +70,7 @@ def trajectory(robot: Robot, plan: MotionPlan, columns: Mapping[str, Any], path:
     unit, limbs = machine.joint_unit, machine.limbs
     factors = np.array(joint_factors(unit, limbs))
     low, high, speed, acceleration = (values / factors for values in limits_of(robot)[0])
-    run, time = np.asarray(columns["run"]), np.asarray(columns["time_s"])
+    run, time = np.asarray(columns["run"]), np.asarray(columns[TIME])
     at = time + (run - 1) * plan.period_s
     style: Any = figures.STYLE
     words = ("joint", "speed", "acceleration")

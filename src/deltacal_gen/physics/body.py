@@ -14,18 +14,18 @@ from typing import NamedTuple
 
 import numpy as np
 
+from deltacal_gen import states
 from deltacal_gen.errors import InputError
 from deltacal_gen.machine.answers import Sensitivity
 from deltacal_gen.machine.machine import POSE
 from deltacal_gen.machine.registry import SOLVED, STATUS, UNBALANCED, Array, Machine
 from deltacal_gen.machine.rotation import cayley_matrix, swept
 from deltacal_gen.machine.values import Recording, Robot
-from deltacal_gen.physics import states
 from deltacal_gen.physics.channels import Channels
 from deltacal_gen.physics.memory import Along, along
 from deltacal_gen.physics.parts import along_deflections, lacking, lacks
-from deltacal_gen.physics.states import State
 from deltacal_gen.physics.terms import Constant, Term, blank, partial, remembers
+from deltacal_gen.states import State
 from deltacal_gen.units import joint_factors
 
 EQUILIBRIUM_STEPS = 25
@@ -33,10 +33,6 @@ EQUILIBRIUM_DONE = 1e-9  # mm and rad: change of the pose that the next step wou
 EQUILIBRIUM_LEFT = 1e-6  # mm and rad: change of the pose by the last step, above which there is no equilibrium
 STEP_S = 1e-3  # of the second difference that gives the accelerations of the weights
 AXES = ("x", "y", "z")
-CHAIN_WEIGHTS = (
-    "masses: mass and com of the [[joint]] tables in the robot file; where none is known, an empty table [masses] "
-    "there and payload_kg in the recording, for what the payload does"
-)
 
 
 class Deformed(NamedTuple):
@@ -87,7 +83,8 @@ class Body:
         kernels = partial(of, self.lacks(of)) if isinstance(of, str) else of.kernels
         read = states.read_by(kernels) if isinstance(of, str) else of.states
         if without := [s for s in read if s.requires and not self._able(s)]:
-            return CHAIN_WEIGHTS if without[0].kind == "load" and self.mechanism.linked else without[0].requires
+            first = without[0]
+            return (self.mechanism.weighed_by if first.kind == "load" else "") or first.requires
         if not self.robot.drawn and any(s.kind in ("load", "place", "geometry") for s in read):
             return "the table [geometry] in the robot file"
         channels = [c for s in read if not s.by for c in s.channels]
@@ -213,7 +210,7 @@ class Body:
         """Return what the weights exert at a pose, by the names of states, `wanted` among them."""
         payload = self.channels.payload
         out: dict[str, Array] = {}
-        along = {name: d for d, name in enumerate(along_deflections(self.mechanism)) if name in wanted}
+        along = {name: d for name, d in along_deflections(self.mechanism).items() if name in wanted}
         if wanted - {"payload_torque", "inertia_torque"}:
             pulled = (limbs or range(1, self.mechanism.limbs + 1)) if along else ()
             total = self.mechanism.loads(x, q, self.tool, rows, self.masses, self.gravity, payload, pulled)

@@ -9,12 +9,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from deltacal_gen import states
 from deltacal_gen.errors import InputError
 from deltacal_gen.machine.registry import Array
-from deltacal_gen.machine.values import TEMPERATURE, Recording, Robot, numbered
-from deltacal_gen.physics import states
-from deltacal_gen.physics.states import CHANNELS
+from deltacal_gen.machine.values import Recording, Robot, numbered
 from deltacal_gen.physics.terms import Term
+from deltacal_gen.states import CHANNELS, RECORDED, State
 from deltacal_gen.units import joint_factors
 
 
@@ -79,7 +79,7 @@ class Channels:
     ) -> Channels:
         """Read channels from columns (N,) as files name them; `shape` is (N, n_q)."""
         rows, n = shape
-        own = {"temp_C": _temperature(columns)}
+        own = {s.column: _of_parts(s, columns) for s in RECORDED if s.parts}
         values, known = {}, set()
         for s in CHANNELS:
             names = s.columns(joint_unit, n)
@@ -108,10 +108,10 @@ def _filled(columns: Mapping[str, Array], shape: tuple[int, int], joint_unit: st
     return out
 
 
-def _temperature(columns: Mapping[str, Array]) -> Array | None:
-    """Return the machine's temperature [degC]: `temp_C` or, where parts have thermometers instead, their mean."""
-    parts = [v for name, v in sorted(columns.items()) if TEMPERATURE.fullmatch(name)]
-    return columns.get("temp_C", np.mean(parts, axis=0) if parts else None)
+def _of_parts(s: State, columns: Mapping[str, Array]) -> Array | None:
+    """Return a channel of the machine: its column; where parts have columns instead, as thermometers, their mean."""
+    parts = [v for name, v in sorted(columns.items()) if s.part(name)]
+    return columns.get(s.column, np.mean(parts, axis=0) if parts else None)
 
 
 def complete_channels(

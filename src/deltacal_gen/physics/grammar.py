@@ -15,6 +15,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from deltacal_gen.machine.registry import Array
+from deltacal_gen.states import STATES
 
 LEVELS = 2  # distinct values up to which a state is a switch: every function of it is a straight line
 THRESHOLDS = (0.15, 0.3, 0.4, 0.5, 0.6, 0.7, 0.85)  # quantiles of a state at which something may begin
@@ -23,7 +24,8 @@ LAGS = 8  # time constants, from the time between rows to half of the session
 PERIODS = 36  # of a state: from its whole width to four rows
 PHASES = tuple(np.arange(8) / 8)  # of a period, at which what is no wave may begin
 NEAR_ZERO = 0.1  # of a state's width: what begins farther from nought does not pass it
-ONCE = ("time",)  # what comes once: a step in it, or a bump, is an event and no law
+# what comes once: a step in it, or a bump, is an event and no law
+ONCE = tuple(s.name for s in STATES.values() if s.passes)
 CONSTANT = re.compile(r"\{(\d+)\}")
 
 

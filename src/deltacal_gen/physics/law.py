@@ -14,10 +14,10 @@ from functools import cache
 
 import numpy as np
 
+from deltacal_gen import states
 from deltacal_gen.machine.registry import Array
-from deltacal_gen.physics import states
 from deltacal_gen.physics.formula import Unit, formula, unit, written
-from deltacal_gen.physics.states import State
+from deltacal_gen.states import State
 
 PREFIX = "law "
 ROUNDING = 1e-9  # of the width that was seen: less beyond it is none
@@ -88,7 +88,7 @@ class Law:
             own = s.per in ("joint", "limb") and not s.joint
             if own and not self.PER_LIMB:
                 raise ValueError(f"'{self.NAME}': every limb has a {s.name} of its own; {s.name}_1 is that of joint 1.")
-            if self.ACTS_ON == "reading" and (s.kind == "load" or s.base == "theta"):
+            if self.ACTS_ON == "reading" and (s.kind == "load" or s.of_geometry):
                 raise ValueError(f"'{self.NAME}': a reading does not depend on {s.name} but through the pose.")
         if self.formula.lags and self.ACTS_ON == "reading":
             raise ValueError(f"'{self.NAME}': a reading has no memory.")

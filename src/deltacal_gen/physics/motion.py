@@ -14,6 +14,7 @@ from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.values import Recording, numbered
 from deltacal_gen.physics import splines
+from deltacal_gen.states import ACCELERATIONS, APPROACH, SPEEDS
 from deltacal_gen.units import joint_factors, joint_names, of_joints
 
 QUICK = 0.2  # s between rows, at most, of samples in motion that no run tells: no machine comes to rest so often
@@ -71,9 +72,9 @@ def motion_of(recording: Recording) -> dict[str, Array]:
             way[rows, j] = approach(joints[rows, j], REVERSED * float(np.ptp(joints[:, j])))
     factors = np.array(joint_factors(unit, count))
     made = {
-        "approach{i}": way,
-        "qd{i}_{unit}_s": speed / factors,
-        "qdd{i}_{unit}_s2": rate / factors,
+        APPROACH: way,
+        SPEEDS: speed / factors,
+        ACCELERATIONS: rate / factors,
     }
     found = {n: column for p, v in made.items() for n, column in zip(joint_names(unit, count, p), v.T, strict=True)}
     return {name: column for name, column in found.items() if name not in recording.channels}
@@ -117,7 +118,7 @@ def in_order(recording: Recording) -> dict[str, Array]:
 
     An axis that goes forth and back is measured row after row.
     """
-    (name,) = joint_names(recording.joint_unit, 1, "approach{i}")
+    (name,) = joint_names(recording.joint_unit, 1, APPROACH)
     q, way = recording.joints[:, 0], np.zeros(recording.n_rows)
     if name in recording.channels:
         return {}

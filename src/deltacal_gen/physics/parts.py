@@ -4,12 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Container
 
+from deltacal_gen import states
 from deltacal_gen.machine.registry import Machine
-from deltacal_gen.physics import states
 from deltacal_gen.physics.terms import Kernels, load_effect
-
-EXERTED = ("torque", "payload_torque", "inertia_torque", "moment_x", "moment_y")  # by weights, in every machine
-TENSIONS = ("tension_1", "tension_2")  # in every machine of limbs
 
 
 def lacking(effect: str, mechanism: Machine, moves: Container[str], roles: Container[str]) -> list[str]:
@@ -24,7 +21,7 @@ def lacking(effect: str, mechanism: Machine, moves: Container[str], roles: Conta
     read = states.read_by(kernels)
     without = _without(kernels, mechanism, moves, roles)
     parts = [] if {} in without and not kernels.WHOLE else list({part: None for each in without for part in each})
-    if any(s.base == "theta" for s in read) and "offset" not in moves:
+    if any(s.of_geometry for s in read) and "offset" not in moves:
         parts.append("angle of a joint")
     if any(s.kind == "load" for s in read) and not mechanism.weighs:
         parts.append("weights")
@@ -51,18 +48,23 @@ def _without(
     kernels: Kernels, mechanism: Machine, moves: Container[str], roles: Container[str]
 ) -> list[dict[str, None]]:
     """Return the parts, lengths and loads that each target of an effect needs and that are not there."""
-    there = {*EXERTED, *(() if mechanism.linked else TENSIONS), *along_deflections(mechanism)}
     found = []
     for target, (_, read) in zip(kernels.TARGETS, kernels.PARTS, strict=True):
         missing = [target[5:]] if target.startswith("limb.") and target[5:] not in moves else []
         for s in map(states.named, read):
             unknown = s.kind == "geometry" and s.name not in roles
-            if unknown or (s.kind == "load" and mechanism.weighs and s.base not in there):
+            if unknown or (s.kind == "load" and mechanism.weighs and not has_load(mechanism, s)):
                 missing.append(s.name)
         found.append(dict.fromkeys(missing))
     return found
 
 
-def along_deflections(mechanism: Machine) -> tuple[str, ...]:
-    """Return the states of what weights exert along each deflection of a mechanism."""
-    return tuple(f"pull_{n[4:]}" if n.startswith("tip_") else f"on_{n}" for n in mechanism.deflections)
+def has_load(mechanism: Machine, s: states.State) -> bool:
+    """Return whether weights exert a load in a mechanism, where they act in it at all."""
+    return (not s.along or s.along in mechanism.deflections) and (mechanism.looped or not s.rods)
+
+
+def along_deflections(mechanism: Machine) -> dict[str, int]:
+    """Return the states of what weights exert along deflections of a mechanism, and along which, counted from 0."""
+    by = {s.along: s.name for s in states.STATES.values() if s.along}
+    return {by[name]: d for d, name in enumerate(mechanism.deflections) if name in by}

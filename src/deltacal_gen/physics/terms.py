@@ -13,16 +13,16 @@ from typing import Any
 import deltacal_kernels.effects
 import numpy as np
 
+from deltacal_gen import states
 from deltacal_gen.machine.registry import Array
-from deltacal_gen.physics import states
 from deltacal_gen.physics.law import Law, is_law, load_law
-from deltacal_gen.physics.states import State
 from deltacal_gen.results.parts import TermState
+from deltacal_gen.states import State
 from deltacal_gen.units import of_joints, of_sliding
 
 DOUBTED = 2.0  # standard deviations by which a coefficient may lie outside its believable range
 UNKNOWN = "of a session without the channel"
-LOGGED = "time_s"  # the column in which time constants count where nothing else is said
+LOGGED = states.TIME  # the column in which time constants count where nothing else is said
 Point = tuple[float, float, float]
 Constant = float | str
 
@@ -309,7 +309,7 @@ def beyond(term: Term, std: Array, joint_unit: str) -> list[Beyond]:
     """
     out = []
     allowed = DOUBTED * np.reshape(std, term.values.shape)
-    directed = any(channel.column == "approach{i}" for state in term.states for channel in state.channels)
+    directed = any(channel.column == states.APPROACH for state in term.states for channel in state.channels)
     for r, row in enumerate(row_coefficients(term, joint_unit)):
         for c, ((name, unit, factor), (low, high)) in enumerate(zip(row, term.kernels.BELIEVABLE, strict=True)):
             value, doubt = term.values[r, c] / factor, allowed[r, c] / abs(factor)

@@ -11,7 +11,7 @@ concealed in recordings of such machines, which the diagnosis then sees as any o
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -41,6 +41,8 @@ from deltacal_gen.planning.monte_carlo import drawn
 from deltacal_gen.results.base import Value
 from deltacal_gen.results.motion import MotionStudy, ToldParameter, TorqueAddition, TorqueSpread
 from deltacal_gen.results.parts import EffectName, Missing
+from deltacal_gen.results.reader import TORQUE
+from deltacal_gen.states import named
 
 BODIES, ABOUT = 0.1, 100.0  # by so much of its mass a body differs, so far from its frame [mm]: standard deviations
 DRAWN = 2000  # machines by which the spread of base parameters is told
@@ -276,7 +278,7 @@ def conduct(
     return MotionStudy(
         model=f"{study.robot.mechanism}/{RIGID}",
         robot=kept_robot(study.robot),
-        kind="torque",
+        kind=TORQUE,
         readings=sum(len(joint.y) for joint in study.joints),
         runs=len(given.run_names),
         sigma_by_joint=study.sigma,
@@ -393,11 +395,16 @@ def _additions(study: DriveStudy) -> tuple[TorqueAddition, ...]:
     return tuple(found)
 
 
+def _lacking(states: Sequence[str]) -> str:
+    """Return what is missing for states: the column of a channel of the machine, else the first of them."""
+    return next((f"the column {s.column}" for s in map(named, states) if s.per == "machine" and s.column), states[0])
+
+
 def _wanted(study: DriveStudy) -> tuple[Missing, ...]:
     """Return the suspects that no recording of this trajectory could show, and what they need."""
     known = of_joint(study.given, study.session.motion.states, 0, np.zeros(study.given.n_rows))
     found = {
-        rung.effect: Missing(name=rung.effect, missing="the column temp_C" if "warming" in missing else missing[0])
+        rung.effect: Missing(name=rung.effect, missing=_lacking(missing))
         for truth in study.suspects
         for _, rung, _ in truth.effects
         if (missing := lacking(rung, known))

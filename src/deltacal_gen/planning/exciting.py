@@ -33,6 +33,8 @@ from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.limits import PATTERNS, home_of, limits_of
 from deltacal_gen.motion.rigid import Rigid
 from deltacal_gen.results.motion import JointSeries, MotionPlan
+from deltacal_gen.results.reader import TORQUE
+from deltacal_gen.states import TIME
 from deltacal_gen.units import file_unit, joint_factors, joint_names, of_joints
 
 if TYPE_CHECKING:
@@ -283,7 +285,7 @@ def exciting(
         robot=robot.name,
         mechanism=robot.mechanism,
         model=f"{robot.mechanism}/rigid",
-        kind="torque",
+        kind=TORQUE,
         method="fourier",
         parameters=names,
         runs=runs,
@@ -313,7 +315,7 @@ def columns_of(robot: Robot, series: Sequence[Series], rate: float) -> dict[str,
     time = np.arange(0, round(series[0].period * rate) + 1) / rate
     states = np.concatenate([s.states(time) for s in series], axis=1)
     found: dict[str, object] = {"run": [k + 1 for k in range(len(series)) for _ in time]}
-    found["time_s"] = np.tile(time, len(series))
+    found[TIME] = np.tile(time, len(series))
     for values, pattern in zip(states, PATTERNS, strict=True):
         found |= dict(zip(joint_names(unit, limbs, pattern), (values / joint_factors(unit, limbs)).T, strict=True))
     return found
@@ -321,5 +323,5 @@ def columns_of(robot: Robot, series: Sequence[Series], rate: float) -> dict[str,
 
 def write_trajectory(robot: Robot, series: Sequence[Series], rate: float, path: str | Path) -> None:
     """Write trajectories as a CSV that `simulate` takes, with its sidecar."""
-    sidecar = toml_text({"measurement": {"kind": "torque"}})
+    sidecar = toml_text({"measurement": {"kind": TORQUE}})
     write_files({Path(path): csv_text(columns_of(robot, series, rate)), Path(path).with_suffix(".toml"): sidecar})

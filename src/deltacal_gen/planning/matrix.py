@@ -21,7 +21,7 @@ from deltacal_gen.identification.identifiability import (
 )
 from deltacal_gen.instrument.instrument import Instrument
 from deltacal_gen.instrument.kind import Kind
-from deltacal_gen.instrument.kinds import kind_of
+from deltacal_gen.instrument.kinds import MOUNTED, PAIRS, POINTS, kind_of
 from deltacal_gen.instrument.kinds import names as kind_names
 from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.registry import Array, Machine, mechanism_of
@@ -61,7 +61,7 @@ class Mount:
         """What the sidecar of the readings will say."""
         base, platform = ((float(x), float(y), float(z)) for x, y, z in (self.base, self.platform))
         return Measurement(
-            kind="gauge", frame="robot", zero="incremental", base_point_mm=base, platform_point_mm=platform
+            kind=MOUNTED, frame="robot", zero="incremental", base_point_mm=base, platform_point_mm=platform
         )
 
 
@@ -315,7 +315,7 @@ def read_mount(sidecar: str | Path) -> Mount:
     return Mount(np.array(base), np.array(platform))
 
 
-def design(robot: Robot, targets: Array, tools: Array, names: Sequence[str], kind: str = "distance") -> Array:
+def design(robot: Robot, targets: Array, tools: Array, names: Sequence[str], kind: str = PAIRS) -> Array:
     """Return the identification matrix of an imagined recording, per mm and rad.
 
     Parameters
@@ -435,7 +435,7 @@ def sensitivity(robot: Robot, poses: Poses, names: Sequence[str]) -> Array:
 def at_poses(task: Task) -> Kind:
     """Return what is read pose by pose: of distances, the positions that they lie between."""
     kind = kind_of(task.kind)
-    return kind_of("position") if kind.pairs else kind
+    return kind_of(POINTS) if kind.pairs else kind
 
 
 def rule(n: Sequence[int], change: Sequence[float], threshold: float) -> tuple[int | None, int | None]:

@@ -18,7 +18,7 @@ from deltacal_gen.identification.identifiability import (
     observability,
 )
 from deltacal_gen.instrument.kind import Kind
-from deltacal_gen.instrument.kinds import kind_of
+from deltacal_gen.instrument.kinds import POINTS, kind_of, usual
 from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.machine.values import Measurement
 from deltacal_gen.planning import singularities
@@ -166,7 +166,7 @@ def predict(task: Task, poses: Poses, sigma_mm: float) -> Prediction | None:
     over = turned(robot, candidates_of(robot))
     over = over[reach(robot, over, task.tools[:1])[1] == ""]
     at = reached_of(robot, over, task.tools[:1])
-    tool = read_of(mechanism, kind_of("position"), at, sensitivity(robot, at, names) * scale)
+    tool = read_of(mechanism, kind_of(POINTS), at, sensitivity(robot, at, names) * scale)
     spread = np.linalg.norm((tool @ response).reshape(len(over), -1), axis=1)
     std = np.linalg.norm(response, axis=1) * scale
     return Prediction(sigma_mm, dict(zip(names, std.tolist(), strict=True)), float(spread.mean()), float(spread.max()))
@@ -185,7 +185,7 @@ def task_of(
     mechanism = mechanism_of(robot)
     kind = kind and next((name for name in KINDS if kind in kind_of(name).aliases), kind)
     if kind is None:
-        kind = "position" if mechanism.turning else "distance"
+        kind = usual(mechanism)
     if scaling is None:
         scaling = "paper" if mechanism.has_scaling("paper", robot) else "typical"
     for what, value, known in (("kind", kind, KINDS), ("scaling", scaling, SCALINGS), ("norm", norm, NORMS)):

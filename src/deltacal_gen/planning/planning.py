@@ -32,7 +32,7 @@ from deltacal_gen.identification.identifiability import (
     observability,
     unseen,
 )
-from deltacal_gen.instrument.kinds import kind_of
+from deltacal_gen.instrument.kinds import PAIRS, kind_of
 from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.machine.values import Measurement, Recording
 from deltacal_gen.planning import singularities
@@ -221,7 +221,7 @@ def _chain_plan(task: Task, threshold: float, n_max: int, sigma_mm: float | None
     )
 
 
-def rank_table(robot: Robot, kind: str = "distance") -> list[RankRow]:
+def rank_table(robot: Robot, kind: str = PAIRS) -> list[RankRow]:
     """Return the rank of every model of the mechanism for one, two and three reference points.
 
     Poses have no symmetry and fill the workspace, so that a combination which stays unseen is so at all poses.

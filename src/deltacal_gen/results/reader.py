@@ -8,7 +8,7 @@ import json
 import re
 from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any, Final, cast
 
 from deltacal_gen.errors import InputError
 from deltacal_gen.results.base import Answer, key_of, plain
@@ -47,7 +47,8 @@ IN_MOTION = {  # the same of recordings in motion
     "deltacal.study/1": "MotionStudy",
     "deltacal.validation/1": "MotionValidation",
 }
-KINDS_IN_MOTION = ("torque",)
+TORQUE: Final = "torque"  # what drives give
+KINDS_IN_MOTION = (TORQUE,)
 Given = str | Path | Mapping[str, Any]  # an answer: its file, its JSON, or itself
 FITTED = ("deltacal.result/1", "deltacal.diagnosis/1")
 COMMANDS = {  # that write the files which other commands read

@@ -16,7 +16,7 @@ from deltacal_gen.errors import InputError
 from deltacal_gen.estimation.problem import Linearised, Problem
 from deltacal_gen.identification.knowledge import factor
 from deltacal_gen.instrument.instrument import Instrument
-from deltacal_gen.instrument.kinds import instrument_of, kind_of
+from deltacal_gen.instrument.kinds import POINTS, instrument_of, kind_of
 from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.machine.rotation import from_vector, to_vector
@@ -161,7 +161,7 @@ def commanded_bands(
     commands = commanded(result, joints, tool, {}, frame)
     if channels.get("time") is None:
         channels = channels.with_values(time=np.zeros(len(joints)))
-    at = _linear(result, known, commands, kind_of("position").unread(commands), None, channels)
+    at = _linear(result, known, commands, kind_of(POINTS).unread(commands), None, channels)
     J_p, J_m = _in_columns(at)
     turn = at.instrument.state[0, :9].reshape(3, 3) if at.instrument.kind.positions else np.eye(3)
     J_p, J_m = turn.T @ J_p[:, :3], turn.T @ J_m[:, :3]

@@ -23,11 +23,10 @@ from deltacal_gen.results.diagnosis import Diagnosis
 from deltacal_gen.results.parts import MachineState, Source
 from deltacal_gen.results.result import Result, Status
 from deltacal_gen.results.validation import Validation
+from deltacal_gen.states import RECORDED
 from deltacal_gen.use import bands
 from deltacal_gen.use.prediction import Place, calibrated_robot, predict, residual
 from deltacal_gen.use.validation import has_place, validate
-
-SHOWN = {"temp_C": ("temperature", "degC"), "payload_kg": ("payload", "kg"), "time_s": ("time", "s")}
 
 
 class Checked(NamedTuple):
@@ -72,10 +71,10 @@ def check(result: Result | Diagnosis, recording: Recording) -> Checked:
 
 def conditions(recording: Recording) -> tuple[Condition, ...]:
     """Return between which values the channels stood that say how it was measured."""
-    ranges = ((c, name, unit, recording.channels.get(c)) for c, (name, unit) in SHOWN.items())
+    ranges = ((s, recording.channels.get(s.column)) for s in RECORDED if s.per == "machine")
     return tuple(
-        Condition(name=name, low=float(np.nanmin(v)), high=float(np.nanmax(v)), unit=unit)
-        for _, name, unit, v in ranges
+        Condition(name=s.called, low=float(np.nanmin(v)), high=float(np.nanmax(v)), unit=s.unit)
+        for s, v in ranges
         if v is not None and np.isfinite(v).any()
     )
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from deltacal_gen.errors import InputError, UsageError
-from deltacal_gen.files.columns import CHANNEL
+from deltacal_gen.files.columns import is_channel
 from deltacal_gen.files.toml import nearest
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.rotation import from_vector
@@ -18,6 +18,7 @@ from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.channels import Channels
 from deltacal_gen.physics.ranges import in_words
 from deltacal_gen.results.diagnosis import Diagnosis
+from deltacal_gen.states import RECORDED
 from deltacal_gen.units import DEG, joint_factors, joint_names
 from deltacal_gen.use import prediction
 from deltacal_gen.use.compensation import TURNED_DEG, Compensator
@@ -27,7 +28,10 @@ if TYPE_CHECKING:
     from deltacal_gen.results.result import Result
 
 Progress = Callable[[str], None]
-USUAL = ("payload_kg", "temp_C", "time_s", "approach1", "qd1_deg_s", "qdd1_deg_s2")
+USUAL = (  # columns of channels: of the machine, and of the first joint
+    *sorted(s.column for s in RECORDED if s.per == "machine"),
+    *sorted(s.columns("rad", 1)[0] for s in RECORDED if s.per == "joint"),
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -182,7 +186,7 @@ def check_channels(channels: Mapping[str, Any], compensator: Compensator, known:
     if isinstance(known, Diagnosis):  # what was recorded beside the readings is no mistake
         covariates |= known.residuals.channels.keys()
     for name in channels:
-        if CHANNEL.fullmatch(name) or name in covariates:
+        if is_channel(name) or name in covariates:
             continue
         near = nearest(name, USUAL)
         raise UsageError(

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 from deltacal_gen.diagnosis.discrimination import CLEAR
 from deltacal_gen.results.diagnosis import Diagnosis, NextMeasurement, Row
+from deltacal_gen.states import TIME
 
 LATER = 60.0  # s from one reading to the next where the rows do not show it
 _NUMBER = re.compile(r"\d+$")
@@ -91,20 +92,20 @@ def next_rows(questions: Sequence[Open], found: Shared) -> list[Row]:
 
 def _asks(row: Row) -> tuple[tuple[str, float | str], ...]:
     """Return what a row asks for, whatever its label and its time."""
-    return tuple((key, v) for key, v in row.items() if key not in ("pose", "time_s"))
+    return tuple((key, v) for key, v in row.items() if key not in ("pose", TIME))
 
 
 def _in_time(rows: list[Row]) -> list[Row]:
     """Return rows in the order of their times, each later than the one before."""
-    times = sorted({float(row["time_s"]) for row in rows if "time_s" in row})
+    times = sorted({float(row[TIME]) for row in rows if TIME in row})
     if not times:
         return rows
     gap = min((b - a for a, b in itertools.pairwise(times)), default=LATER)
     out: list[Row] = []
     last = times[0] - gap
-    for row in sorted(rows, key=lambda row: float(row.get("time_s", times[-1]))):
-        last = max(float(row.get("time_s", times[-1])), round(last + gap, 1))
-        out.append(row | {"time_s": last})
+    for row in sorted(rows, key=lambda row: float(row.get(TIME, times[-1]))):
+        last = max(float(row.get(TIME, times[-1])), round(last + gap, 1))
+        out.append(row | {TIME: last})
     return out
 
 

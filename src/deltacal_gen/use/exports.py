@@ -27,8 +27,8 @@ from deltacal_gen.identification.accuracy import turned, workspace_of
 from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.machine.registry import COORDINATES, SOLVED, Array, Machine
 from deltacal_gen.machine.rotation import to_vector
-from deltacal_gen.physics.states import CHANNELS, STATES, State
 from deltacal_gen.physics.terms import Term
+from deltacal_gen.states import CHANNELS, STATES, State
 from deltacal_gen.units import DEG, file_unit, to_internal
 from deltacal_gen.use.compensation import Compensator, RoundTrip, largest, workspace_points
 from deltacal_gen.use.spans import (

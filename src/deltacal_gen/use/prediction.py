@@ -17,7 +17,7 @@ from deltacal_gen.estimation.solvers import LeastSquares
 from deltacal_gen.files.columns import ONE_SETUP
 from deltacal_gen.files.robot import Robot, robot_of
 from deltacal_gen.instrument.instrument import Instrument
-from deltacal_gen.instrument.kinds import instrument_of, kind_of, readings
+from deltacal_gen.instrument.kinds import POINTS, instrument_of, kind_of, readings
 from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.machine.rotation import from_vector, to_vector
@@ -168,8 +168,8 @@ def commanded(
     n, mechanism = len(joints), mechanism_of(calibrated_robot(result))
     return Recording(
         path=Path("targets"),
-        kind="position",
-        measurement=Measurement(kind="position", frame=frame),
+        kind=POINTS,
+        measurement=Measurement(kind=POINTS, frame=frame),
         joint_unit=mechanism.joint_unit,
         joints=joints,
         columns=tuple(f"{axis}_mm" for axis in mechanism.axes),

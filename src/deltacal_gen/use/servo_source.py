@@ -17,8 +17,7 @@ from deltacal_gen.errors import UsageError
 from deltacal_gen.files.robot import robot_of, robot_size
 from deltacal_gen.files.writing import write_files
 from deltacal_gen.machine.backend import Backend, using
-from deltacal_gen.machine.chain import Chain
-from deltacal_gen.machine.dynamics import ChainDynamics, Dynamics, LimbDynamics, dynamics_of
+from deltacal_gen.machine.dynamics import Dynamics, dynamics_of
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.feedforward import readouts_of_model
@@ -26,6 +25,7 @@ from deltacal_gen.motion.limits import limits_of
 from deltacal_gen.physics.law import is_law
 from deltacal_gen.physics.terms import load_effect
 from deltacal_gen.results.motion import JointModel, MotionModel, TorqueTerm
+from deltacal_gen.states import SPEEDS, read_by
 from deltacal_gen.units import file_unit, joint_factors, joint_names
 from deltacal_gen.use.compensation import Compensator
 from deltacal_gen.use.exports import c_numbers, c_source, plain, wrapped
@@ -33,15 +33,6 @@ from deltacal_gen.use.exports import c_numbers, c_source, plain, wrapped
 NO_LIMIT = 1e300  # of a torque, of a joint
 POSED = 6  # joints of a chain that stands in any pose
 FASTEST = 10.0  # times the speed that is assumed where the robot file says none: beyond it a set point has jumped
-STATES = {  # what effects read, in the words of the file
-    "q": "q",
-    "turn": "q",
-    "qd": "qd",
-    "qdd": "qdd",
-    "torque": "load",
-    "temperature": "temp_C",
-    "warming": "temp_C - 20.0",
-}
 CODES = (
     ("DELTACAL_NOT_A_NUMBER", 3, "an input is not a finite number"),
     ("DELTACAL_JUMP", 4, "since the last set point a joint would have moved faster than DELTACAL_MOST_SPEED"),
@@ -148,9 +139,9 @@ def export_feedforward(known: MotionModel, path: str | Path) -> None:
         )
     body = importlib.resources.files("deltacal_kernels").joinpath(robot.mechanism, "dynamics.c")
     past = _past(joints)
-    machine = _limbs(known, robot, own, past) if isinstance(own, LimbDynamics) else _chain(known, robot, own, past)
+    head = _limbs if mechanism_of(robot).written_out else _chain
     parts = [
-        *machine,
+        *head(known, robot, own, past),
         "\n".join(_tables(known, robot, own, joints)),
         *_effects(joints),
         "\n".join(_remembering(joints, past)),
@@ -160,22 +151,20 @@ def export_feedforward(known: MotionModel, path: str | Path) -> None:
     write_files({Path(path): "\n".join(parts)})
 
 
-def _limbs(known: MotionModel, robot: Robot, own: LimbDynamics, past: int) -> tuple[str, str, str]:
+def _limbs(known: MotionModel, robot: Robot, own: Dynamics, past: int) -> tuple[str, ...]:
     """Return geometry, interface and numbers of a machine with limbs."""
     with using(Backend.NUMPY):  # a file holds the same digits wherever it is written from
         geometry = Compensator(robot)
         text = c_source(geometry, geometry.round_trip())
-    numbers = [*_table("MOTION_K", own.constants[0][0]), *_table("BODY_K", own.constants[1][0])]
-    numbers += [_line("SHARES", own.shares, "of a rod's mass at either end")]
+    numbers = [line for name in ("MOTION_K", "BODY_K") for line in _table(name, own.numbers[name])]
+    numbers += [_line("SHARES", own.numbers["SHARES"], "of a rod's mass at either end")]
     return text, _interface(known, robot, past), "\n".join(numbers)
 
 
-def _chain(known: MotionModel, robot: Robot, own: Dynamics, past: int) -> tuple[str, str]:
+def _chain(known: MotionModel, robot: Robot, own: Dynamics, past: int) -> tuple[str, ...]:
     """Return interface and numbers of an open chain."""
     machine = mechanism_of(robot)
-    assert isinstance(own, ChainDynamics)
-    assert isinstance(machine, Chain)
-    conventions, drives, much = machine.shape
+    told = own.numbers
     factors = np.array(joint_factors(machine.joint_unit, machine.limbs))
     ends = np.full((machine.limbs, 2), [-NO_LIMIT, NO_LIMIT])
     if robot.joint_limits is not None:
@@ -187,17 +176,17 @@ def _chain(known: MotionModel, robot: Robot, own: Dynamics, past: int) -> tuple[
         read=", ".join(readouts_of_model(known)[0]),
         words=WORDS,
         codes=DEFINES,
-        links=len(conventions),
-        drives=len(drives),
+        links=len(told["CONVENTION"]),
+        drives=len(told["DRIVE"]),
         limbs=machine.limbs,
         past=_held(past),
     )
     numbers = [
-        f"static const int DELTACAL_CONVENTION[] = {{ {', '.join(map(str, conventions))} }};",
+        f"static const int DELTACAL_CONVENTION[] = {{ {', '.join(map(str, told['CONVENTION']))} }};",
         "static const int DELTACAL_DRIVE[][3] = { /* link, whether it slides, joint */",
-        *(f"    {{ {', '.join(map(str, row))} }}," for row in drives.tolist()),
+        *(f"    {{ {', '.join(map(str, row))} }}," for row in told["DRIVE"].tolist()),
         "};",
-        *_table("LINK_K", own.links),
+        *_table("LINK_K", told["LINK_K"]),
     ]
     of_pose = (
         ("REACH", np.array([reach]), "mm"),
@@ -206,7 +195,7 @@ def _chain(known: MotionModel, robot: Robot, own: Dynamics, past: int) -> tuple[
     )
     for name, values, words in (
         *(of_pose if machine.limbs == POSED else ()),
-        ("MUCH", much, "of a joint in its link"),
+        ("MUCH", told["MUCH"], "of a joint in its link"),
         ("SIGN", robot.joint_sign, "of the controller"),
         ("FACTOR", factors, "rad, mm per unit of a joint"),
         ("JOINT_LOW", ends[:, 0], "[joints] of the robot file"),
@@ -257,7 +246,7 @@ def _tables(known: MotionModel, robot: Robot, own: Dynamics, joints: Sequence[Jo
         if known.known is not None:
             row[: len(own.names)] += much * np.array(known.known.inertial)
     factors = np.array(joint_factors(machine.joint_unit, n))
-    speeds = joint_names(machine.joint_unit, n, "qd{i}_{unit}_s")
+    speeds = joint_names(machine.joint_unit, n, SPEEDS)
     said = np.array([name in robot.limits for name in speeds])
     most = limits_of(robot)[0][2] / factors * np.where(said, 1.0, FASTEST)
     ends = np.array([robot.limits.get(column, (-NO_LIMIT, NO_LIMIT)) for column in known.columns])
@@ -301,7 +290,7 @@ def _effects(joints: Sequence[JointModel]) -> list[str]:
                 f"C is made of derived effects, and '{name}' is a law. Write it down (deltacal diagnose "
                 "--write-effect), derive it (deltacal kernels), and diagnose again."
             )
-        if lacking := [s for s in load_effect(name).STATE if s not in STATES]:
+        if lacking := [s.name for s in read_by(load_effect(name)) if s.joint or not s.c99_drive]:
             raise UsageError(
                 f"{name} depends on '{lacking[0]}', which a controller does not have: it cannot be exported."
             )
@@ -413,7 +402,7 @@ def _numbers(term: TorqueTerm, at: int) -> Iterator[str]:
     """Yield the begin of a block with an effect's states, coefficients and constants; its past stands from `at` on."""
     kernels = load_effect(term.effect)
     memories = len(getattr(kernels, "MEMORY", ()))
-    states = [*(STATES[name] for name in kernels.STATE), *(f"past[{at + n}]" for n in range(memories))]
+    states = [*(s.c99_drive for s in read_by(kernels)), *(f"past[{at + n}]" for n in range(memories))]
     yield "        {"
     yield f"            const double s[] = {{ {', '.join(states) or '0.0'} }};"
     yield f"            static const double c[] = {{ {c_numbers(np.array(term.values))} }};"

@@ -12,10 +12,10 @@ import numpy as np
 from deltacal_gen.machine.registry import POSE, Array
 from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.channels import Channels
-from deltacal_gen.physics.states import CHANNELS, State, named
 from deltacal_gen.physics.terms import Term, term_of
 from deltacal_gen.results.diagnosis import Diagnosis
 from deltacal_gen.results.result import Result
+from deltacal_gen.states import CHANNELS, State, named
 from deltacal_gen.use.compensation import Compensator
 
 _MARGIN = 1.05  # a stated error over the measured one

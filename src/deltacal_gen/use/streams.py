@@ -25,7 +25,7 @@ from deltacal_gen.files.writing import write_blocks
 from deltacal_gen.identification import identifiability
 from deltacal_gen.identification.answer import open_combinations, parameter_table
 from deltacal_gen.instrument.instrument import Instrument
-from deltacal_gen.instrument.kinds import kind_of, readings
+from deltacal_gen.instrument.kinds import POINTS, kind_of, readings
 from deltacal_gen.instrument.kinds.position import drawn_frames
 from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.backend import working
@@ -109,7 +109,7 @@ class Streamed:
             unidentifiable=open_combinations(unseen, mechanism, "not at all"),
             next_measurements=(),
             regularisation=Regularisation(rule=f"least squares, {self.passes} passes over the file"),
-            readings=Read(kind="position", scalars=self.scalars, poses=self.rows),
+            readings=Read(kind=POINTS, scalars=self.scalars, poses=self.rows),
             before_rms_mm=self.before,
             train_rms_mm=self.after,
             heldout_rms_mm=None,

@@ -12,6 +12,7 @@ from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.feedforward import FeedForward, fed_forward
 from deltacal_gen.motion.trajectories import Sidecar, read_sidecar, trajectories
 from deltacal_gen.results.motion import MotionModel
+from deltacal_gen.results.reader import TORQUE
 from deltacal_gen.units import joint_factors, joint_names
 from deltacal_gen.use.compensation import Compensator
 
@@ -34,7 +35,7 @@ def feed_forward(known: MotionModel, path: str | Path) -> FeedForward:
     mechanism, rows = mechanism_of(robot), read_table(path)
     if joint_names(mechanism.joint_unit, mechanism.limbs)[0] not in rows.columns and TARGET[0] in rows.columns:
         rows = _with_joints(rows, robot)
-    sidecar = read_sidecar(path) or Sidecar.model_validate({"measurement": {"kind": "torque"}})
+    sidecar = read_sidecar(path) or Sidecar.model_validate({"measurement": {"kind": TORQUE}})
     return fed_forward(known, trajectories(rows, mechanism, sidecar, need_measured=False))
 
 

@@ -34,9 +34,13 @@ As = Annotated[str | None, typer.Option("--as", help="'distance': use the distan
 
 
 def _as_distance(value: str | None) -> bool:
-    if value not in (None, "distance"):
-        raise typer.BadParameter("only 'distance' is known", param_hint="--as")
-    return value == "distance"
+    if value is None:
+        return False
+    from deltacal_gen.instrument.kinds import PAIRS
+
+    if value != PAIRS:
+        raise typer.BadParameter(f"only '{PAIRS}' is known", param_hint="--as")
+    return True
 
 
 def identify(

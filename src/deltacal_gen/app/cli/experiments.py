@@ -89,16 +89,16 @@ def plan(
 ) -> None:
     """Choose measuring poses: condition number and observability against n, or a D-optimal set."""
     from deltacal_gen.app import commands
+    from deltacal_gen.instrument.kinds import MOUNTED
+    from deltacal_gen.motion.kinds import plans_motion
     from deltacal_gen.units import DEG
 
-    if kind == "torque" or (model or "").endswith("/rigid"):
+    if plans_motion(kind, model):
         series: dict[str, Any] = {"runs": runs, "period": period, "harmonics": harmonics, "rate": rate}
-        moving = commands.plan(
-            robot, model, output, optimal=optimal, picture=picture, gauge=gauge, kind="torque", **series
-        )
+        moving = commands.plan(robot, model, output, optimal=optimal, picture=picture, gauge=gauge, kind=kind, **series)
         _show_trajectory(cast("MotionPlan", moving), output, as_json)
         return
-    kind = kind or (None if gauge is None else "gauge")
+    kind = kind or (None if gauge is None else MOUNTED)
     options: dict[str, Any] = {"kind": kind, "tools": points, "scaling": scaling, "norm": norm, "sigma_mm": sigma}
     options |= {"singular": singular} if singular is not None else {}
     if optimal is None:

@@ -16,6 +16,7 @@ from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Recording, Robot
 from deltacal_gen.motion.clocks import Clock, TwoClocks, two_clocks
 from deltacal_gen.results.parts import SeriesMade
+from deltacal_gen.states import TIME
 
 if TYPE_CHECKING:
     from deltacal_gen.identification.clocks import Alignment
@@ -92,7 +93,7 @@ def instrument_columns(given: TwoClocks, done: Recording, *, joints: bool) -> di
     runs = {} if given.run_names == ("1",) else {"run": [given.run_names[code] for code in given.run]}
     own = [*done.columns, *given.recording.channels, "setup", "contact"]
     there = [n for n in columns if n.startswith("q") and n not in done.channels] if joints else []
-    return {**runs, "time_s": given.time, **{name: columns[name] for name in (*there, *own) if name in columns}}
+    return {**runs, TIME: given.time, **{name: columns[name] for name in (*there, *own) if name in columns}}
 
 
 def write_two_clocks(given: TwoClocks, done: Recording, output: Source) -> None:

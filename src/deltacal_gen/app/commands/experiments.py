@@ -25,6 +25,7 @@ from deltacal_gen.app.commands.common import (
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.robot import Robot, for_model, for_names
 from deltacal_gen.files.writing import csv_text, write_files, write_recording
+from deltacal_gen.instrument.kinds import MOUNTED
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Recording
 
@@ -68,13 +69,14 @@ def plan(
     options
         Of `planning.plan`, of `optimal.d_optimal`, or of `exciting.exciting`.
     """
+    from deltacal_gen.motion.kinds import plans_motion
     from deltacal_gen.planning import matrix, planning
     from deltacal_gen.planning.optimal import d_optimal
 
     model = None if model is None else str(model)
     check_output(output, robot)
     check_output(picture, robot, ending=PICTURES)
-    if options.get("kind") == "torque" or (model is not None and model.endswith("/rigid")):
+    if plans_motion(options.get("kind"), model):
         if optimal is not None or gauge is not None:
             raise UsageError("trajectories are planned without --optimal and --gauge.")
         options.pop("kind", None)
@@ -90,7 +92,7 @@ def plan(
     if gauge is not None and optimal is not None:
         raise UsageError("D-optimal sets are chosen for positions and distances, not for a gauge.")
     if gauge is not None:
-        options = {"kind": "gauge", "mount": matrix.read_mount(gauge), **options}
+        options = {"kind": MOUNTED, "mount": matrix.read_mount(gauge), **options}
     found = planning.plan(robot, model, **options) if optimal is None else d_optimal(robot, model, optimal, **options)
     if output is not None:
         planning.write_targets(found, output)

@@ -18,8 +18,8 @@ import numpy as np
 from deltacal_gen.errors import UsageError
 from deltacal_gen.physics.formula import FUNCTIONS, LAG, Unit, unit, written
 from deltacal_gen.physics.law import PREFIX, Law, inside, load_law
-from deltacal_gen.physics.states import named
 from deltacal_gen.results.diagnosis import LawOf, LawTerm
+from deltacal_gen.states import named
 from deltacal_gen.units import DEG
 
 BELIEVABLE = 10.0  # times what was found: how large a coefficient may be, until someone knows better

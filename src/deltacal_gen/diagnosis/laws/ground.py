@@ -21,21 +21,25 @@ from deltacal_gen.diagnosis.charges import gains
 from deltacal_gen.estimation.fit import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.machine.registry import Array
+from deltacal_gen.physics.body import AXES
 from deltacal_gen.physics.formula import formula
 from deltacal_gen.physics.grammar import CONSTANT, LAGS, Form
 from deltacal_gen.physics.law import PREFIX, followed, load_law
 from deltacal_gen.physics.memory import recursion
-from deltacal_gen.physics.states import CHANNELS, named
+from deltacal_gen.physics.parts import has_load
 from deltacal_gen.physics.terms import Term, blank
+from deltacal_gen.states import CHANNELS, STATES, named
 
 TARGETS = (
     *("joint", "limb.arm", "limb.rod", "limb.outwards", "limb.tip_v", "limb.tip_w"),
     *("turn.x", "turn.y", "tool.x", "tool.y", "tool.z", "reading.x", "reading.y", "reading.z", "length"),
 )
 BOUNDLESS = 1e100  # standard deviations: what moves readings by more, an exponential far off, is no law
-OWN = ("q", "torque", "approach", "qd", "qdd", "tension_1", "tension_2", "pull_v", "pull_w")  # of a limb
-OTHERS = ("q", "torque", "approach", "qd")  # of another joint
-PLACE = ("x", "y", "z", "radius")
+LAWFUL = sorted((s for s in STATES.values() if s.law), key=lambda s: s.law)  # what laws look at
+OWN = [s.name for s in LAWFUL if s.per != "machine"]  # of a limb
+OTHERS = [s.name for s in LAWFUL if s.others]  # of another joint
+RECORDED = [s.name for s in LAWFUL if s.per == "machine" and s.kind == "channel"]
+PLACE = [s.name for s in LAWFUL if s.kind == "place"]
 CHUNK = 1200  # columns that are projected together
 ALIKE = 0.9999  # correlation of two states that are one for a law
 
@@ -160,7 +164,7 @@ class Ground:
             s = named(name)
             if values.ndim == 2 and kind != "limb":
                 continue
-            if kind == "reading" and (s.kind == "load" or s.base == "theta"):
+            if kind == "reading" and (s.kind == "load" or s.of_geometry):
                 continue
             out.append(name)
         return out
@@ -384,8 +388,7 @@ def _constants(text: str) -> tuple[int, ...]:
 
 def _channels(problem: Problem) -> list[str]:
     """Return the channels of the machine that were recorded, by the names of states, then covariates by their own."""
-    known = [s.name for s in CHANNELS if s.per == "machine"]
-    out = [n for n in known if n in problem.body.channels.values and n != "temperature"]
+    out = [n for n in RECORDED if n in problem.body.channels.values]
     own = {n for s in CHANNELS for n in s.columns(problem.recording.joint_unit, problem.mechanism.limbs)}
     for name in problem.recording.channels:
         doubtful = name in problem.recording.doubts or name.startswith("true_") or not name.isidentifier()
@@ -400,11 +403,9 @@ def _missing(problem: Problem, name: str) -> bool:
     if s.kind == "load":
         if problem.robot.masses is None or not problem.mechanism.weighs:
             return True
-        if problem.mechanism.linked and s.base not in ("torque",):
+        if not has_load(problem.mechanism, s):
             return True
-        if s.base in ("pull_v", "pull_w") and f"tip_{s.base[-1]}" not in problem.mechanism.deflections:
-            return True
-    if s.kind == "place" and name in PLACE[:3] and name not in problem.mechanism.axes:
+    if s.kind == "place" and name in AXES and name not in problem.mechanism.axes:
         return True
     return any(body.channels.get(c.base) is None for c in s.channels)
 

@@ -24,8 +24,8 @@ from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.identification.together import deviance_of, together
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.law import is_law
-from deltacal_gen.physics.states import named
 from deltacal_gen.physics.terms import Term
+from deltacal_gen.states import named
 
 MOST = 5  # laws that are told
 RIVALS = 10.0 + 4 * 10.0**0.5  # of chi2, as for effects: a law that earns less than that less is not told from the best

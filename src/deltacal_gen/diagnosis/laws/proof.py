@@ -23,6 +23,7 @@ from deltacal_gen.identification.together import deviance_of
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.law import is_law
 from deltacal_gen.physics.terms import Term
+from deltacal_gen.states import named
 
 MOST_POSES, SEED = 250, 1859  # on which a law is sought, drawn at random where there are more; all are asked at last
 PART = 4  # one of so many parts is asked
@@ -110,7 +111,7 @@ def pace(problem: Problem, grown: Grown) -> str:
         return "time"
     channels, rows = problem.body.channels.values, _in_order(problem)
     slow = {s: _slow(channels[s][rows]) for s in grown.states if s in channels and channels[s].ndim == 1}
-    if "time" in grown.states and all(slow.get(s, True) for s in grown.states):
+    if any(named(s).passes for s in grown.states) and all(slow.get(s, True) for s in grown.states):
         return "time"
     return "blocks" if any(slow.values()) else "poses"
 

@@ -19,6 +19,7 @@ from deltacal_gen.diagnosis.laws.profile import refine
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics import grammar
 from deltacal_gen.physics.grammar import Form
+from deltacal_gen.states import named
 
 PART = 2 * np.log(4)  # of chi2: price of each part that there is to say of a law, one of four or more that it may be
 LOOKED_AT = 10  # states, or pairs of them, at a place, of which every function is tried
@@ -95,7 +96,7 @@ def _coarse(ground: Ground, names: Sequence[str], remembers: bool) -> list[Form]
     lines = {n: grammar.linear(n, states[n]) for n in names}
     for a, b in itertools.combinations(names, 2):
         ones += [grammar.product((a, f), (b, g)) for f, g in itertools.product(lines[a], lines[b])]
-    ones += [grammar.single(n, grammar.lagging(n, tau)) for n in names if n != "time" for tau in lags]
+    ones += [grammar.single(n, grammar.lagging(n, tau)) for n in names if not named(n).passes for tau in lags]
     ones += [w for n in names if states[n].ndim == 1 and n[:2] != "q_" for w in grammar.waves(n, states[n])]
     return ones
 
@@ -105,7 +106,7 @@ def _closer(ground: Ground, head: Tried) -> Iterable[Form]:
     names, states = head.form.states, ground.states
     lags = ground.lags if ground.place(head.target).remembers else ()
     make = grammar.full if len(names) == 1 else grammar.factors
-    atoms = [make(n, states[n], () if n == "time" else lags) for n in names]
+    atoms = [make(n, states[n], () if named(n).passes else lags) for n in names]
     if len(names) == 1:
         yield from (grammar.single(names[0], a) for a in atoms[0])
         if len(head.form.functions) == 2:  # a wave

@@ -16,9 +16,9 @@ from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.formula import unit, written
 from deltacal_gen.physics.law import Law as LawModule
 from deltacal_gen.physics.law import inside, is_law, load_law
-from deltacal_gen.physics.states import named
 from deltacal_gen.physics.terms import Term
 from deltacal_gen.results.diagnosis import Law, LawCoefficient, LawCurve, LawTerm
+from deltacal_gen.states import named
 from deltacal_gen.units import of_joints
 
 if TYPE_CHECKING:

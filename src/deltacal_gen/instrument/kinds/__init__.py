@@ -15,10 +15,13 @@ from deltacal_gen.instrument.instrument import Instrument
 from deltacal_gen.instrument.kind import Kind
 from deltacal_gen.instrument.readings import Readings, poses_of
 from deltacal_gen.instrument.several import Several
-from deltacal_gen.machine.registry import Array
+from deltacal_gen.machine.registry import Array, Machine
 from deltacal_gen.machine.values import Recording, Robot
 from deltacal_gen.results.parts import InstrumentState
 
+POINTS = "position"  # where points are: what rows hold where nothing says what they do
+PAIRS = "distance"  # what lies between two rows: what pairs hold, and all of positions whose frame does not matter
+MOUNTED = "gauge"  # what is read by an instrument that a machine may carry
 AND = " and "  # between the names of kinds that are read together
 
 
@@ -56,6 +59,11 @@ def together(*kinds: Kind) -> Kind:
     return kind_of(AND.join(kind.name for kind in kinds))
 
 
+def usual(mechanism: Machine) -> str:
+    """Return what is planned for where nobody says what will be measured: distances show no turn on command."""
+    return POINTS if mechanism.turning else PAIRS
+
+
 def mounts() -> frozenset[str]:
     """Return the source errors by which some machine carries a measuring mechanism of some kind."""
     return frozenset(name for kind in names() for name in kind_of(kind).mount)
@@ -81,7 +89,7 @@ def readings(recording: Recording, *, as_distance: bool = False) -> Readings:
     """
     kind = kind_of(recording.kind)
     if not kind.distances_beside and recording.pairs is not None and len(recording.pairs):
-        kind = kind_of("distance")
+        kind = kind_of(PAIRS)
     found = kind.readings(recording, poses_of(recording)).some(recording)
     return found.kind.as_distances(found, recording).some(recording) if as_distance else found
 

@@ -7,10 +7,11 @@ other meaning.
 from __future__ import annotations
 
 import dataclasses
+import math
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, cached_property
 from typing import Any
 
 from deltacal_kernels.effects.states import COVARIATE
@@ -44,6 +45,7 @@ class State:
     kind: str
     joint: int = 0
     column: str = ""
+    parts: str = ""
     zero: float = 0.0
     default: float = 0.0
     assumed: str = ""
@@ -55,12 +57,57 @@ class State:
     by: str = ""
     requires: str = ""
     c99: str = ""
+    c99_drive: str = ""
     tabled: tuple[str, float] | None = None
+    called: str = ""
+    its: str = ""
+    levels: tuple[float, ...] = ()
+    possible: tuple[float | None, float | None] | None = None
+    expected: str = ""
+    weighs: bool = False
+    commanded: bool = False
+    passes: bool = False
+    rests: bool = False
+    step: float = 0.0
+    law: int = 0
+    others: bool = False
+    drive_law: int = 0
+    varied: str = ""
+    needed: str = ""
+    along: str = ""
+    rods: bool = False
 
     @property
     def follows(self) -> bool:
         """Whether it changes with the pose, and so with what effects move."""
         return self.kind in ("load", "place")
+
+    @property
+    def of_geometry(self) -> bool:
+        """Whether it is a joint as the geometry sees it, which readings of the joints themselves do not show."""
+        return self.kind == "place" and self.per == "joint"
+
+    @property
+    def ends(self) -> tuple[float, float]:
+        """Between which values its column must lie."""
+        low, high = self.possible or (None, None)
+        return -math.inf if low is None else low, math.inf if high is None else high
+
+    @cached_property
+    def pattern(self) -> re.Pattern[str]:
+        """The names of columns that hold it: a joint's with its number and the rest of its unit as groups."""
+        own = re.escape(self.column).replace(re.escape("{i}"), r"(\d+)")
+        before, of_unit, _ = own.partition(re.escape("{unit}"))
+        return re.compile(before + r"(\w+)" if of_unit else own)
+
+    def part(self, column: str) -> bool:
+        """Whether a column holds it of a part, where a recording has these instead of its own column."""
+        parts = re.escape(self.parts).replace(re.escape("{part}"), r"\w+")
+        return bool(parts) and re.fullmatch(parts, column) is not None
+
+    def holds(self, column: str) -> bool:
+        """Whether a column holds it, as a whole or of a part."""
+        return bool(self.column) and (self.pattern.fullmatch(column) is not None or self.part(column))
 
     @property
     def channels(self) -> tuple[State, ...]:
@@ -103,6 +150,15 @@ class State:
 
 STATES: dict[str, State] = {name: State(name=name, base=name, **row) for name, row in _ROWS.items()}
 CHANNELS = tuple(s for s in STATES.values() if s.kind == "channel" and not s.by)  # what a recording may say
+RECORDED = tuple({s.column: s for s in CHANNELS[::-1]}.values())[::-1]  # the same, one for each column
+JOINTS, SPEEDS, ACCELERATIONS, APPROACH = (STATES[name].column for name in ("q", "qd", "qdd", "approach"))
+TEMPERATURE, PAYLOAD, TIME = (STATES[name].column for name in ("temperature", "payload", "time"))
+
+
+@cache
+def of_column(column: str) -> State:
+    """Return the state whose column this is, of whatever joint; a covariate, of any other column."""
+    return next((s for s in (STATES["q"], *RECORDED) if s.pattern.fullmatch(column)), None) or _covariate(column)
 
 
 @cache
@@ -113,10 +169,14 @@ def named(name: str) -> State:
     other = _OTHER.fullmatch(name)
     if other is not None and other[1] in STATES and STATES[other[1]].per == "joint":
         return STATES[other[1]].of_joint(int(other[2]))
+    return _covariate(name)
+
+
+def _covariate(column: str) -> State:
     own: dict[str, Any] = {
-        field: v.replace("{column}", name) if isinstance(v, str) else v for field, v in COVARIATE.items()
+        field: v.replace("{column}", column) if isinstance(v, str) else v for field, v in COVARIATE.items()
     }
-    return State(name=name, base=name, **own)
+    return State(name=column, base=column, **own)
 
 
 @cache
