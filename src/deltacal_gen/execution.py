@@ -27,7 +27,6 @@ from typing import Any
 
 import deltacal_kernels
 
-import deltacal_gen
 from deltacal_gen.errors import DeltacalError, InputError
 from deltacal_gen.machine.backend import Backend, using
 
@@ -73,8 +72,7 @@ class Outcome:
 def code_digest() -> str:
     """Return a hash of this package and of its kernels: what other code has made is not taken for done."""
     digest = hashlib.sha256()
-    for package in (deltacal_gen, deltacal_kernels):
-        root = Path(str(package.__file__)).parent
+    for root in (Path(__file__).parent, Path(str(deltacal_kernels.__file__)).parent):
         for file in sorted(root.rglob("*.py")):
             digest.update(file.relative_to(root).as_posix().encode() + file.read_bytes())
     return digest.hexdigest()
