@@ -24,9 +24,10 @@ from numba import njit
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.files.recording import read_recording
-from deltacal_gen.files.robot import Robot, Workspace, read_robot
+from deltacal_gen.files.robot import Robot, read_robot
 from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.machine.registry import SINGULAR, SOLVED, UNREACHABLE, load_mechanism
+from deltacal_gen.machine.values import Workspace
 from deltacal_gen.physics.terms import Term
 from deltacal_gen.use.compensation import KINDS, Compensator
 from deltacal_gen.use.exports import export_c

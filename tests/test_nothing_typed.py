@@ -40,7 +40,7 @@ FUNCTIONS = {
     "diagnosis/laws/told.py:_law": "two standard deviations together",
     "diagnosis/structure.py:_functions": "waves of a channel: what is smooth in it, of no machine",
     "diagnosis/wandering.py:_columns": "functions of a random walk in time, of no machine",
-    "files/robot.py:Workspace.holds": WORKSPACE,
+    "machine/values.py:Workspace.holds": WORKSPACE,
     "identification/noise.py:noise": "variances that add up",
     "identification/uncertainty.py:uncertainty_map": "two standard deviations together",
     "instrument/board.py:_apart": BEGUN,

@@ -171,7 +171,7 @@ class Problem:
         """Return the derivatives of what instruments look at, the platform's pose or the joints, in some rows."""
         rows = machine.rows if len(machine.rows) == 1 else machine.rows[used]
         if self.readings.kind.sees_joints:
-            return Sensitivity.of_joints(self.mechanism, len(used))
+            return self.mechanism.joint_sensitivity(len(used))
         return self.mechanism.sensitivity(machine.x[used], machine.q[used], machine.tool[used], rows)
 
     def _moved(

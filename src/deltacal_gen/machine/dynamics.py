@@ -223,7 +223,7 @@ class LimbDynamics(Dynamics):
 
     @property
     def _masses(self) -> dict[str, Any]:
-        return {} if self._robot.masses is None else self._robot.masses.model_dump()
+        return {} if self._robot.masses is None else dataclasses.asdict(self._robot.masses)
 
     @cached_property
     def shares(self) -> Array:

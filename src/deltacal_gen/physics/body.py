@@ -8,6 +8,7 @@ the loads, pose again, until nothing moves.
 
 from __future__ import annotations
 
+import dataclasses
 import itertools
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
@@ -71,7 +72,7 @@ class Body:
     def __init__(self, robot: Robot, mechanism: Machine, q: Array, tool: Array, channels: Channels) -> None:
         self.robot, self.mechanism, self.q, self.tool, self.channels = robot, mechanism, q, tool, channels
         self.roles, self.moves = mechanism.roles(robot), mechanism.moves(robot)
-        masses = robot.masses.model_dump() if robot.masses is not None else {}
+        masses = dataclasses.asdict(robot.masses) if robot.masses is not None else {}
         self.gravity = np.asarray(masses.pop("gravity", (0.0, 0.0, -9.81)), dtype=float)
         self._held: tuple[tuple[int, ...], tuple[Term, ...], dict[str, Array]] | None = None
         self.inertia = masses.pop("proximal_inertia", None)

@@ -16,6 +16,7 @@ Bai, Mei, Huang, Chetwynd 2015, Proc. IMechE C 230(3), section 4.
 
 from __future__ import annotations
 
+import dataclasses
 import hashlib
 import itertools
 import json
@@ -27,7 +28,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
-from deltacal_gen.files.robot import Robot, Workspace
+from deltacal_gen.files.robot import Robot
 from deltacal_gen.identification.accuracy import turned, workspace_of
 from deltacal_gen.machine.answers import result
 from deltacal_gen.machine.registry import (
@@ -39,6 +40,7 @@ from deltacal_gen.machine.registry import (
     nominal_joints,
 )
 from deltacal_gen.machine.rotation import about_z
+from deltacal_gen.machine.values import Workspace
 from deltacal_gen.physics.body import Body, Deformed
 from deltacal_gen.physics.channels import Channels, complete_channels
 from deltacal_gen.physics.law import is_law
@@ -156,7 +158,7 @@ class Compensator:
         numbers = (self._rows, self.robot.tool, self.robot.joint_sign)
         text = self.kind.encode() + b"".join(np.ascontiguousarray(n, dtype="<f8").tobytes() for n in numbers)
         if self.effects:
-            masses = self.robot.masses.model_dump() if self.robot.masses is not None else None
+            masses = dataclasses.asdict(self.robot.masses) if self.robot.masses is not None else None
             text += json.dumps([masses, *(kept_term(t).to_dict() for t in self.effects)]).encode()
         return hashlib.sha256(text).hexdigest()[:16]
 
