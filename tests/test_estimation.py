@@ -9,7 +9,8 @@ import pytest
 from conftest import plausible, rings, scattered, wanted
 
 from deltacal_gen.errors import NoSolutionError
-from deltacal_gen.estimation.fit import Fit, by_means, fit
+from deltacal_gen.estimation.fit import by_means, fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem, pose_problem
 from deltacal_gen.estimation.residuals import Repeats, lengths, rms
 from deltacal_gen.estimation.solvers import TSVD, LeastSquares, Prior

@@ -21,7 +21,7 @@ from scipy.optimize import least_squares
 
 import deltacal_gen as dc
 from deltacal_gen.errors import DeltacalError
-from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.system import whitened
 from deltacal_gen.identification.identification import identify
 from deltacal_gen.instrument.instrument import Instrument

@@ -18,7 +18,8 @@ import numpy as np
 from deltacal_gen.diagnosis.beside import Beside
 from deltacal_gen.diagnosis.structure import Structure, structures
 from deltacal_gen.errors import InputError, NoSolutionError
-from deltacal_gen.estimation.fit import Fit, fit
+from deltacal_gen.estimation.fit import fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.residuals import lengths, rms, robust_sigma, robust_weights
 from deltacal_gen.estimation.solvers import Prior, jitter

@@ -21,7 +21,7 @@ import numpy as np
 
 from deltacal_gen.diagnosis.beside import Beside
 from deltacal_gen.diagnosis.library import SIZE_STEP
-from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import ROUNDING, Problem
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.body import Body

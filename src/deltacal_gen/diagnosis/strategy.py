@@ -17,7 +17,8 @@ from deltacal_gen.diagnosis.search import Found, Search, carriers_of, several
 from deltacal_gen.diagnosis.spectrum import Spectrum, periodic, wave
 from deltacal_gen.diagnosis.structure import Structure, alike, smooth_columns, structures
 from deltacal_gen.errors import InputError, NoSolutionError
-from deltacal_gen.estimation.fit import Fit, fit, held_out, held_out_errors
+from deltacal_gen.estimation.fit import fit, held_out, held_out_errors
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import ROUNDING, Problem
 from deltacal_gen.estimation.residuals import Repeats
 from deltacal_gen.estimation.series import Series

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.residuals import Repeats, lengths
 from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.registry import Array

@@ -13,7 +13,7 @@ from functools import cached_property
 
 import numpy as np
 
-from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.prior import BROAD
 from deltacal_gen.instrument.instrument import Instrument
 from deltacal_gen.machine.registry import Array

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from scipy.stats import chi2
 
-from deltacal_gen.motion.joint import Fit
+from deltacal_gen.motion.fit import Fit
 from deltacal_gen.motion.ladder import PER_COEFFICIENT
 from deltacal_gen.motion.library import hats
 from deltacal_gen.motion.regression import GAP, Bench

@@ -21,7 +21,8 @@ import numpy as np
 
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.app.reproduction.sheet import Part, Picture, Sheet
-from deltacal_gen.estimation.fit import Fit, fit
+from deltacal_gen.estimation.fit import fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.estimation.solvers import TSVD, LeastSquares, Prior, Ridge, Solver
 from deltacal_gen.files.recording import read_recording
