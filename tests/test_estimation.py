@@ -15,7 +15,7 @@ from deltacal_gen.estimation.problem import Problem, pose_problem
 from deltacal_gen.estimation.residuals import Repeats, lengths, rms
 from deltacal_gen.estimation.solvers import TSVD, LeastSquares, Prior
 from deltacal_gen.files.robot import Robot
-from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.instrument.kind import Instrument
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.registry import Machine
 from deltacal_gen.machine.rotation import from_vector, to_vector

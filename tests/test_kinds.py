@@ -18,9 +18,8 @@ from deltacal_gen.files.robot import Robot
 from deltacal_gen.files.writing import write_recording
 from deltacal_gen.identification import identification
 from deltacal_gen.instrument import kinds
-from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.instrument.kind import Instrument, Readings
 from deltacal_gen.instrument.kinds import instrument_of, kind_of, readings
-from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.registry import Array, Machine
 from deltacal_gen.machine.rotation import from_vector, to_vector
 from deltacal_gen.machine.values import Camera, Measurement, Recording

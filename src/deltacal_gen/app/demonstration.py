@@ -18,8 +18,8 @@ from deltacal_gen.app.commands.calibration import diagnose, identify
 from deltacal_gen.files.robot import read_robot, robot_to_toml
 from deltacal_gen.files.writing import write_files
 from deltacal_gen.identification.accuracy import check_poses, workspace_of
-from deltacal_gen.instrument.instrument import align
 from deltacal_gen.machine.registry import Array
+from deltacal_gen.machine.rotation import align
 from deltacal_gen.pages import figures
 from deltacal_gen.physics.simulation import read_truth
 from deltacal_gen.physics.terms import Term

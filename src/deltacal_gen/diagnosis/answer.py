@@ -23,7 +23,7 @@ from deltacal_gen.files.robot import kept_robot
 from deltacal_gen.identification.knowledge import uncertainty_of
 from deltacal_gen.identification.noise import Noise, noise_model
 from deltacal_gen.identification.unknowns import unknowns_of
-from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.instrument.kind import Instrument
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.physics.law import PREFIX
 from deltacal_gen.physics.terms import (

@@ -25,7 +25,7 @@ from deltacal_gen.estimation.residuals import lengths, rms, robust_sigma, robust
 from deltacal_gen.estimation.solvers import Prior, jitter
 from deltacal_gen.identification.folds import folds
 from deltacal_gen.identification.together import rows_alone
-from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.instrument.kind import Instrument
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.body import Body

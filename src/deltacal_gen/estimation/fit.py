@@ -30,7 +30,7 @@ from deltacal_gen.estimation.solvers import LeastSquares, Prior, Solution, Solve
 from deltacal_gen.estimation.steps import Linear, State, improved
 from deltacal_gen.estimation.system import System, system, whitened
 from deltacal_gen.estimation.turns import turned
-from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.instrument.kind import Instrument
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.body import Deformed
 

@@ -9,7 +9,7 @@ import numpy as np
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.residuals import GROSS, Repeats, lengths, rms
 from deltacal_gen.estimation.solvers import Solution
-from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.instrument.kind import Instrument
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.body import Deformed
 

@@ -10,9 +10,8 @@ from typing import NamedTuple
 import numpy as np
 
 from deltacal_gen.errors import InputError
-from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.instrument.kind import Instrument, Readings
 from deltacal_gen.instrument.kinds import measured_points, readings
-from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.answers import Sensitivity
 from deltacal_gen.machine.registry import Array, Machine, mechanism_of
 from deltacal_gen.machine.values import Recording, Robot

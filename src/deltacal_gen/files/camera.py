@@ -23,8 +23,7 @@ from deltacal_gen.files.sidecar import CameraTable, said_of
 from deltacal_gen.files.toml import Table, TomlFile, toml_text
 from deltacal_gen.files.writing import csv_text, write_files
 from deltacal_gen.instrument import sphere
-from deltacal_gen.instrument.instrument import align
-from deltacal_gen.machine.rotation import from_vector
+from deltacal_gen.machine.rotation import align, from_vector
 from deltacal_gen.machine.values import Camera
 
 if TYPE_CHECKING:

@@ -8,9 +8,8 @@ import numpy as np
 
 from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.files.robot import Robot
-from deltacal_gen.instrument.instrument import align
 from deltacal_gen.machine.registry import SOLVED, Array, mechanism_of
-from deltacal_gen.machine.rotation import about_z, from_vector, swept
+from deltacal_gen.machine.rotation import about_z, align, from_vector, swept
 from deltacal_gen.machine.values import Workspace
 from deltacal_gen.units import DEG
 

@@ -378,3 +378,13 @@ class Recording:
         return dataclasses.replace(
             self, pairs=self.pairs[k], pair_measured=self.pair_measured[k], pair_line=self.pair_line[k]
         )
+
+
+def poses_of(recording: Recording) -> np.ndarray:
+    """Return the pose (N,) of each row: label and set-up or, where there are no labels, joints and tool point."""
+    _, label = np.unique(recording.pose, return_inverse=True)
+    if label.max(initial=-1) + 1 == recording.n_rows and recording.pairs is None:
+        tool = np.zeros((recording.n_rows, 3)) if recording.tool is None else np.nan_to_num(recording.tool)
+        key = np.round(np.column_stack([recording.joints, tool, recording.setup]), 9)
+        return np.ravel(np.unique(key, axis=0, return_inverse=True)[1])
+    return np.ravel(np.unique(np.column_stack([label, recording.setup]), axis=0, return_inverse=True)[1])

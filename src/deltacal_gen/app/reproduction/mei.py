@@ -28,9 +28,8 @@ from deltacal_gen.estimation.solvers import TSVD, LeastSquares, Prior, Ridge, So
 from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import Robot, read_robot
 from deltacal_gen.identification.identifiability import observability
-from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.instrument.kind import Instrument, Readings
 from deltacal_gen.instrument.kinds import kind_of
-from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.registry import Array, load_mechanism
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.simulation import read_truth
