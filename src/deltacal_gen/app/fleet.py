@@ -380,9 +380,9 @@ def _imported_from(session: Session) -> tuple[str, Contents]:
 def _of_session(store: Store, key: str, name: str, beside: Mapping[str, Path]) -> Contents:
     """Return the files of an imported recording, which the run directory keeps."""
     kept = store.get(key)
-    if kept is None:
+    if kept is None or kept.result is None:
         raise InputError("a result that was there is gone.", "Run again.", file=store.folder)
-    texts: dict[str, str] = kept["result"]["recordings"][name]
+    texts: dict[str, str] = kept.result["recordings"][name]
     return {n: t.encode() for n, t in texts.items()} | dict(_contents(beside))
 
 
@@ -454,12 +454,12 @@ def write_pages(found: Batch, directory: Path) -> dict[str, str]:
     done = [] if found.action == "validate" else worst(found.rows, report.MOST_DRAWN)
     for row in done:
         kept = None if isinstance(row, FailedRow) else store.get(last[row.recording][1])
-        if kept is None or kept["result"] is None:
+        if kept is None or kept.result is None:
             continue
         place = Path(PAGES) / f"{last[row.recording][1]}.html"
         if not (directory / place).exists():
             (directory / PAGES).mkdir(exist_ok=True)
-            answer = read_answer(kept["result"])
+            answer = read_answer(kept.result)
             text = report.calibration(answer) if isinstance(answer, Result) else report.diagnosis(cast("Any", answer))
             write_files({directory / place: text})
         links[row.recording] = place.as_posix()
@@ -497,10 +497,10 @@ def _changed(
         before[job.machine] = job
         for label, key in pairs:
             old, new = store.get(key), store.get(keys[job.label])
-            if old is None or new is None or old["result"] is None or new["result"] is None:
+            if old is None or new is None or old.result is None or new.result is None:
                 continue
             try:
-                text = _moved(read_answer(old["result"]), read_answer(new["result"]))
+                text = _moved(read_answer(old.result), read_answer(new.result))
             except InputError as error:  # other machines, or a run of another version
                 text = str(error)
             changed.append(Moved(machine=job.machine, from_=label, to=job.label, text=text))
