@@ -19,6 +19,7 @@ import numpy as np
 from deltacal_kernels import images
 
 from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.files.columns import Columns
 from deltacal_gen.files.sidecar import CameraTable, said_of
 from deltacal_gen.files.toml import Table, TomlFile, toml_text
 from deltacal_gen.files.writing import csv_text, write_files
@@ -393,7 +394,7 @@ def record(table: str | Path, camera: Camera, output: str | Path) -> list[Ball]:
             raise InputError("the cell is blank.", "Name the image.", file=table, line=n + 2, column="image")
         path = table.parent / row["image"]
         balls.append(find_ball(read_image(path), camera, path))
-    columns: dict[str, Any] = {name: [row[name] for row in rows] for name in rows[0] if name and name != "image"}
+    columns: Columns = {name: [row[name] for row in rows] for name in rows[0] if name and name != "image"}
     for name, values in zip(("u1_px", "u2_px", "v1_px", "v2_px"), np.array([b.extremes for b in balls]).T, strict=True):
         columns[name] = values
     output = Path(output)

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from pathlib import Path
 
 from deltacal_gen.instrument import kinds
 from deltacal_gen.instrument.kinds import kind_of
+from deltacal_gen.machine.rotation import Array
 from deltacal_gen.machine.values import TEMPERATURE
 
 TOOL = ("tool_x_mm", "tool_y_mm", "tool_z_mm")
@@ -17,6 +19,9 @@ ONE_SETUP = ("1",)  # name of the only set-up, where the file names none
 JOINT = re.compile(r"q\d+_(deg|mm)")
 APPROACH = re.compile(r"approach\d+")
 CHANNEL = re.compile(rf"time_s|payload_kg|{TEMPERATURE.pattern}|{APPROACH.pattern}|qdd?\d+_\w+")
+
+Column = Sequence[float | str] | Array
+Columns = dict[str, Column]  # of a file, by name
 
 
 def distances_path(path: Path) -> Path:

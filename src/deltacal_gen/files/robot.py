@@ -24,7 +24,7 @@ from pydantic import (
 )
 
 from deltacal_gen.errors import InputError, UsageError
-from deltacal_gen.files.toml import NonNegative, Number, Positive, Table, TomlFile, Vector, toml_text
+from deltacal_gen.files.toml import NonNegative, Number, Positive, Raw, Table, TomlFile, Vector, toml_text
 from deltacal_gen.machine.values import Link, Masses, Robot, Transmission, Workspace
 from deltacal_gen.results.parts import Named, RobotTables
 from deltacal_gen.units import file_unit, joint_factors, of_joints, to_file, to_internal
@@ -138,7 +138,7 @@ def read_robot(path: str | Path, *, load: Loader | None = None) -> Robot:
     return _robot(TomlFile.read(path), load)
 
 
-def robot_from_dict(tables: Mapping[str, Any], *, load: Loader | None = None) -> Robot:
+def robot_from_dict(tables: Raw, *, load: Loader | None = None) -> Robot:
     """Robot from the tables of a robot file, as `robot_to_dict` gives them [mm, deg]; raises InputError."""
     return _robot(TomlFile(None, "", dict(tables)), load)
 
