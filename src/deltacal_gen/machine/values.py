@@ -136,6 +136,12 @@ class Masses:
     distal_inertia: float | None = None
     rotor_inertia: float | None = None
 
+    @property
+    def numbers(self) -> dict[str, float]:
+        """Masses and inertias that are given, by name, in the order of the file."""
+        each = ((f.name, getattr(self, f.name)) for f in dataclasses.fields(self) if f.name != "gravity")
+        return {name: value for name, value in each if value is not None}
+
 
 @dataclass(frozen=True)
 class Transmission:
