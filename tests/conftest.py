@@ -17,7 +17,7 @@ import pytest
 from deltacal_gen.app import cli
 from deltacal_gen.files.robot import Robot, kept_robot, robot_from_dict
 from deltacal_gen.identification.accuracy import check_poses, circle
-from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.instrument.kind import Instrument
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.registry import Machine, load_mechanism
 from deltacal_gen.machine.rotation import cayley_vector, from_vector, to_vector

@@ -11,8 +11,9 @@ from typing import Any
 
 import numpy as np
 
-from deltacal_gen.files.robot import Masses, Robot, robot_from_dict
+from deltacal_gen.files.robot import Robot, robot_from_dict
 from deltacal_gen.machine.registry import Array, load_mechanism, mechanism_of
+from deltacal_gen.machine.values import Masses
 from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.channels import Channels
 from deltacal_gen.physics.parts import lacking

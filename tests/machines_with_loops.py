@@ -9,9 +9,9 @@ from pathlib import Path
 
 import numpy as np
 
-from deltacal_gen.files.robot import Masses, read_robot, robot_from_dict
+from deltacal_gen.files.robot import read_robot, robot_from_dict
 from deltacal_gen.machine.registry import load_mechanism, mechanism_of
-from deltacal_gen.machine.values import Robot
+from deltacal_gen.machine.values import Masses, Robot
 from tests.every_effect import PRINTER, machines
 
 PLANAR = ("diamond", "planar_parallelogram")
@@ -37,7 +37,7 @@ def machine(name: str) -> Robot:
         robot = robot_from_dict(PRINTER)
     else:
         robot = read_robot(Path(str(resources.files("deltacal_gen") / "examples" / name / "robot.toml")))
-    masses = MASSES.model_copy(update={"gravity": GRAVITY.get(name, (0.0, 0.0, -9.81))})
+    masses = dataclasses.replace(MASSES, gravity=GRAVITY.get(name, (0.0, 0.0, -9.81)))
     rng = np.random.default_rng(3)
     errors = {p.name: 0.3 * p.typical * float(rng.standard_normal()) for p in load_mechanism(name).parameters}
     tool = np.array([20.0, -15.0, 0.0 if name in PLANAR else -30.0])

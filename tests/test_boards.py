@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 from collections.abc import Callable
 from pathlib import Path
 
@@ -14,14 +15,13 @@ from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.errors import InputError
 from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import Robot, robot_from_dict
-from deltacal_gen.files.sidecar import Camera
 from deltacal_gen.files.writing import write_recording
 from deltacal_gen.identification.identification import identify
 from deltacal_gen.instrument import board
 from deltacal_gen.instrument.kinds import kind_of, readings
 from deltacal_gen.machine.registry import Array, load_mechanism
 from deltacal_gen.machine.rotation import from_vector
-from deltacal_gen.machine.values import Measurement, Recording
+from deltacal_gen.machine.values import Camera, Measurement, Recording
 from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.results.result import Parameter, Result
 from deltacal_gen.units import DEG
@@ -160,7 +160,7 @@ def test_images_that_show_nothing_of_the_machine_are_refused(robot: Robot, work:
 
 
 def test_a_lens_is_found_with_the_machine(robot: Robot) -> None:
-    said = Measurement(camera=Camera.model_validate({"k1": "unknown"}))
+    said = Measurement(camera=Camera(k1=math.nan))
     result = identify(robot, seen(robot, said), MODEL).answer()
     for name, true in LENS.items():
         p = named(result, name)

@@ -14,8 +14,8 @@ from scipy.spatial.transform import Rotation
 from deltacal_gen.app import cli
 from deltacal_gen.errors import InputError
 from deltacal_gen.files import camera
-from deltacal_gen.files.sidecar import Camera
 from deltacal_gen.instrument import sphere
+from deltacal_gen.machine.values import Camera
 
 cv2 = pytest.importorskip("cv2")
 

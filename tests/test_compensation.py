@@ -24,11 +24,12 @@ from numba import njit
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.files.recording import read_recording
-from deltacal_gen.files.robot import Robot, Workspace, read_robot
+from deltacal_gen.files.robot import Robot, read_robot
 from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.machine.registry import SINGULAR, SOLVED, UNREACHABLE, load_mechanism
+from deltacal_gen.machine.values import Workspace
 from deltacal_gen.physics.terms import Term
-from deltacal_gen.use.compensation import KINDS, Compensator
+from deltacal_gen.use.compensation import Compensator, CompensatorKind
 from deltacal_gen.use.exports import export_c
 from deltacal_gen.use.tables import TableCompensator, export_table, read_table
 
@@ -107,7 +108,7 @@ def test_exact_agrees_with_the_inverse_position(prototype: Robot) -> None:
     assert np.abs(Compensator(robot).command(targets(200))[0] - q).max() < 1e-13
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", CompensatorKind)
 def test_without_errors_the_command_is_the_nominal_one(prototype: Robot, kind: str) -> None:
     compensator = Compensator(prototype, kind)
     assert np.abs(compensator.command(targets(100))[0] - compensator.nominal_command(targets(100))[0]).max() < 1e-13
@@ -216,7 +217,7 @@ def test_the_linear_command_follows_from_the_closures_jacobians(prototype: Robot
 # --- what both share ------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", CompensatorKind)
 def test_the_servo_function_runs_in_a_compiled_loop(prototype: Robot, kind: str) -> None:
     signed = replace(prototype, errors=drawn(8), joint_sign=np.array([1.0, -1.0, -1.0]))
     compensator = Compensator(signed, kind)
@@ -251,7 +252,7 @@ def test_the_linear_change_is_what_the_linear_command_adds(prototype: Robot) -> 
 
 
 @pytest.mark.parametrize("name", ["delta", "planar_parallelogram", "linear_delta"])
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", CompensatorKind)
 def test_direct_commands_are_bound_to_their_machine(name: str, kind: str) -> None:
     """Built-in functions of numbers, each of its own state; anything else is a TypeError."""
     robot = replace(read_robot(example(f"{name}/robot.toml")), errors={})
@@ -287,7 +288,7 @@ def test_direct_commands_are_bound_to_their_machine(name: str, kind: str) -> Non
     assert "state" not in (command.__doc__ or "")
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", CompensatorKind)
 def test_compensators_and_servos_go_to_other_processes(prototype: Robot, kind: str) -> None:
     compensator, point = Compensator(replace(prototype, errors=drawn(9)), kind), targets(1)
     expected = compensator.command(point)[0][0]  # it has computed, and keeps what it computed with
@@ -314,7 +315,7 @@ def test_commands_may_be_written_in_place_of_their_targets(
     np.testing.assert_array_equal(status, unsolved)
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", CompensatorKind)
 def test_commands_are_counted_as_the_controller_counts(prototype: Robot, kind: str) -> None:
     robot = replace(prototype, errors=drawn(9))
     flipped = replace(robot, joint_sign=np.array([-1.0, 1.0, -1.0]))
@@ -354,7 +355,7 @@ def test_an_arm_in_line_with_its_rods_is_singular(prototype: Robot) -> None:
     offset = float(prototype.geometry["base_radius"][0] - prototype.geometry["platform_radius"][0])
     direction = np.array([0.0, -math.cos(0.9), -math.sin(0.9)])
     target = np.array([[0.0, -offset, 0.0]]) + (reach - 1e-12) * direction
-    for kind in KINDS:
+    for kind in CompensatorKind:
         joints, status = Compensator(prototype, kind).command(target)
         assert status[0] in (SINGULAR, UNREACHABLE)
         assert np.isnan(joints).all()
@@ -389,7 +390,7 @@ def compiled(source: Path) -> Any:
     return ctypes.CDLL(str(library)).deltacal_compensate
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", CompensatorKind)
 def test_the_exported_c_agrees(prototype: Robot, kind: str, tmp_path: Path) -> None:
     robot = replace(
         prototype,

@@ -19,7 +19,7 @@ STENCIL = {1: 4 / 5, 2: -1 / 5, 3: 4 / 105, 4: -1 / 280}  # central differences 
 
 def weightless(robot: Robot) -> Dynamics:
     assert robot.masses is not None
-    masses = robot.masses.model_copy(update={"gravity": (0.0, 0.0, 0.0)})
+    masses = dataclasses.replace(robot.masses, gravity=(0.0, 0.0, 0.0))
     return dynamics_of(dataclasses.replace(robot, masses=masses))
 
 
@@ -52,9 +52,9 @@ def test_at_rest_the_loops_give_what_weights_exert(name: str) -> None:
     rows, tool = mechanism.rows(robot), np.tile(robot.tool, (50, 1))
     x, _ = mechanism.forward(motion[0], tool, rows)
     assert robot.masses is not None
-    weights = mechanism.weights_at(x, motion[0], tool, rows, robot.masses.model_dump())
+    weights = mechanism.weights_at(x, motion[0], tool, rows, dataclasses.asdict(robot.masses))
     fields = np.tile(robot.masses.gravity, (weights.shape[1], 1))
-    masses = {key: value for key, value in robot.masses.model_dump().items() if value is not None}
+    masses = {key: value for key, value in dataclasses.asdict(robot.masses).items() if value is not None}
     static = mechanism.loads(x, motion[0], tool, rows, masses, fields, 0.7).torque
     found = own.torque(motion, own.stated()) + 0.7 * own.payload(motion)
     assert found == pytest.approx(-static, abs=1e-10 * np.abs(static).max())
@@ -157,7 +157,7 @@ def test_a_rod_with_an_inertia_of_its_own_is_two_ends_and_a_middle() -> None:
     motion, length = states(robot, 20), float(robot.geometry["distal_length"][0])
 
     def torque(inertia: float | None) -> np.ndarray:
-        masses = robot.masses.model_copy(update={"distal_inertia": inertia})
+        masses = dataclasses.replace(robot.masses, distal_inertia=inertia)
         own = dynamics_of(dataclasses.replace(robot, masses=masses))
         return own.torque(motion, own.stated())
 

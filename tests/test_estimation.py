@@ -9,12 +9,13 @@ import pytest
 from conftest import plausible, rings, scattered, wanted
 
 from deltacal_gen.errors import NoSolutionError
-from deltacal_gen.estimation.fit import Fit, by_means, fit
+from deltacal_gen.estimation.fit import by_means, fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem, pose_problem
 from deltacal_gen.estimation.residuals import Repeats, lengths, rms
 from deltacal_gen.estimation.solvers import TSVD, LeastSquares, Prior
 from deltacal_gen.files.robot import Robot
-from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.instrument.kind import Instrument
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.registry import Machine
 from deltacal_gen.machine.rotation import from_vector, to_vector

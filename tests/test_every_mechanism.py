@@ -16,8 +16,8 @@ import pytest
 from deltacal_gen.app import cli
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.files.robot import for_model, read_robot
-from deltacal_gen.instrument.instrument import align
 from deltacal_gen.machine.registry import load_mechanism, mechanism_names, mechanism_of
+from deltacal_gen.machine.rotation import align
 from deltacal_gen.physics.simulation import truth_names
 
 NOISE = 0.003  # mm

@@ -13,9 +13,9 @@ import pytest
 import deltacal_gen as dc
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.errors import NoSolutionError, UsageError
-from deltacal_gen.files.robot import Workspace, robot_to_toml
+from deltacal_gen.files.robot import robot_to_toml
 from deltacal_gen.machine.registry import mechanism_of
-from deltacal_gen.machine.values import Robot
+from deltacal_gen.machine.values import Robot, Workspace
 from deltacal_gen.planning.exciting import Excitation, Series, exciting
 from deltacal_gen.units import DEG
 from tests.every_effect import ARM, chain, machines

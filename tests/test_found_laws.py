@@ -13,6 +13,7 @@ import pytest
 
 import deltacal_gen as dc
 from deltacal_gen.diagnosis import diagnosis
+from deltacal_gen.diagnosis.answer import Diagnosed
 from deltacal_gen.diagnosis.laws.ground import TARGETS
 from deltacal_gen.estimation.fit import fit
 from deltacal_gen.estimation.solvers import Prior
@@ -27,12 +28,12 @@ TRUTH = law("limb.rod = c1*tanh(tension_1/c2)", 0.2, 8.0)
 
 
 @pytest.fixture(scope="module")
-def made() -> diagnosis.Diagnosed:
+def made() -> Diagnosed:
     return diagnosis.diagnose(ROBOT, record(ROBOT, TRUTH, n=N, of=channels(N, *OF)))
 
 
 @pytest.fixture(scope="module")
-def found(made: diagnosis.Diagnosed) -> Diagnosis:
+def found(made: Diagnosed) -> Diagnosis:
     return made.answer()
 
 
@@ -98,7 +99,7 @@ def test_its_curve_goes_through_what_the_readings_say(found: Diagnosis) -> None:
     np.testing.assert_allclose(curve.value, exact, atol=6 * float(np.max(curve.std)) + 0.01)
 
 
-def test_what_geometry_leaves_is_of_the_rows_that_the_law_was_asked_of(made: diagnosis.Diagnosed) -> None:
+def test_what_geometry_leaves_is_of_the_rows_that_the_law_was_asked_of(made: Diagnosed) -> None:
     proof, problem = made.laws[0].proof, made.baseline.problem
     alone = fit(problem.subset(np.flatnonzero(proof.train)), Prior(), drop_gross=False, must_converge=False)
     off = problem.residual(alone.errors, alone.instrument, problem.poses(alone.errors))[proof.test]

@@ -16,7 +16,7 @@ from deltacal_gen.app.demonstration import example
 from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.errors import UsageError
 from deltacal_gen.files.recording import read_recording
-from deltacal_gen.files.robot import Masses, Robot, read_robot
+from deltacal_gen.files.robot import Robot, read_robot
 from deltacal_gen.identification.accuracy import turned
 from deltacal_gen.identification.identifiability import observability
 from deltacal_gen.identification.identification import identify
@@ -24,7 +24,7 @@ from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.machine.registry import UNREACHABLE, load_mechanism
 from deltacal_gen.machine.rotation import from_vector
-from deltacal_gen.machine.values import Measurement, Recording
+from deltacal_gen.machine.values import Masses, Measurement, Recording
 from deltacal_gen.physics.parts import lacks
 from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.physics.terms import Term, blank

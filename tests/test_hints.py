@@ -9,8 +9,9 @@ import pytest
 from scipy.signal import lfilter
 
 from deltacal_gen.diagnosis import hints, strategy
+from deltacal_gen.diagnosis.answer import Diagnosed
 from deltacal_gen.diagnosis.charges import MARGIN
-from deltacal_gen.diagnosis.diagnosis import Diagnosed, diagnose
+from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.diagnosis.evidence import MOST_WRONG, Evidence, evidence
 from deltacal_gen.diagnosis.hints import hinted
 from deltacal_gen.diagnosis.library import library

@@ -1,12 +1,16 @@
-"""How large rooms may be: no module above 600 lines, no function above 60, its docstring not counted.
+"""How large rooms may be, and that no way leads from one through others back to it.
 
-No line is above 120 characters, in Python and in what is written as kernels; pages break where their paragraphs do.
+No module above 600 lines, no function above 60, its docstring not counted. Imports inside functions, which save time at
+the start, and those for type checkers alone are ways like others. No line is above 120 characters, in Python and in
+what is written as kernels; pages break where their paragraphs do.
 """
 
 from __future__ import annotations
 
+import ast
+import graphlib
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 from tests.benchmarks.lines import functions
@@ -14,6 +18,7 @@ from tests.benchmarks.lines import functions
 ROOT = Path(__file__).resolve().parents[1]
 PARTS = ("src/deltacal_gen", "derive", "tests")
 MODULE, FUNCTION, LINE = 600, 60, 120
+PACKAGE = "src/deltacal_gen"
 SWITCHED_OFF = re.compile(r"#\s*(fmt|yapf|isort|ruff):\s*(off|skip|disable)\b")
 
 
@@ -56,3 +61,55 @@ def test_no_formatter_is_switched_off() -> None:
 def test_no_template_edits_what_was_written() -> None:
     """Text between mathematics and files is made right, not put right: printers and macros are told how to write it."""
     assert [where for where, line in lines() if where.startswith("templates/") and "replace(" in line] == []
+
+
+def _imported(tree: ast.AST, known: Mapping[str, object]) -> set[str]:
+    """Return the modules among those known that a text imports, wherever in it: of a package what is taken of it."""
+    found = set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            named = [alias.name for alias in node.names]
+        elif isinstance(node, ast.ImportFrom):
+            assert node.level == 0, "modules are named in full"
+            named = [f"{node.module}.{alias.name}" for alias in node.names]
+        else:
+            continue
+        for name in named:
+            while name and name not in known:
+                name = name.rpartition(".")[0]
+            found |= {name} - {""}
+    return found
+
+
+def _ways(texts: Mapping[str, str]) -> dict[str, set[str]]:
+    """Return which modules each imports, by their names and their texts."""
+    return {name: _imported(ast.parse(text), texts) - {name} for name, text in texts.items()}
+
+
+def _circle(ways: Mapping[str, set[str]]) -> list[str]:
+    """Return a way from a module back to it; none where there is none."""
+    try:
+        graphlib.TopologicalSorter(ways).prepare()
+    except graphlib.CycleError as error:
+        return [*reversed(error.args[1])]
+    return []
+
+
+def test_no_import_leads_back() -> None:
+    texts = {}
+    for path in (ROOT / PACKAGE).rglob("*.py"):
+        parts = path.relative_to(ROOT / PACKAGE).with_suffix("").parts
+        name = ".".join(("deltacal_gen", *(parts[:-1] if parts[-1] == "__init__" else parts)))
+        texts[name] = path.read_text(encoding="utf-8")
+    ways = _ways(texts)
+    assert sum(map(len, ways.values())) > 1000  # they were read
+    assert _circle(ways) == [], "what both need belongs below them"
+
+
+def test_a_way_back_is_found_wherever_it_begins() -> None:
+    inner = "def f() -> None:\n    from a import b\n"
+    typed = "from typing import TYPE_CHECKING\n\nif TYPE_CHECKING:\n    from a.b import C\n"
+    for text in (inner, typed, "import a.b as b\n", "from a.b import c\n"):
+        texts = {"a": "", "a.b": "from a.c import x\n", "a.c": text}
+        assert set(_circle(_ways(texts))) == {"a.b", "a.c"}
+        assert _circle(_ways(texts | {"a.c": "import os\nfrom a import x\n"})) == []

@@ -13,8 +13,9 @@ from deltacal_gen.app.demonstration import example
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import Robot, read_robot
+from deltacal_gen.identification.answer import Identification
 from deltacal_gen.identification.folds import folds
-from deltacal_gen.identification.identification import Identification, identify
+from deltacal_gen.identification.identification import identify
 from deltacal_gen.machine.registry import Machine, load_mechanism
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.simulation import simulate

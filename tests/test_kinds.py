@@ -15,16 +15,14 @@ from pydantic import TypeAdapter
 from deltacal_gen.errors import InputError
 from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import Robot
-from deltacal_gen.files.sidecar import Camera
 from deltacal_gen.files.writing import write_recording
 from deltacal_gen.identification import identification
 from deltacal_gen.instrument import kinds
-from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.instrument.kind import Instrument, Readings
 from deltacal_gen.instrument.kinds import instrument_of, kind_of, readings
-from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.registry import Array, Machine
 from deltacal_gen.machine.rotation import from_vector, to_vector
-from deltacal_gen.machine.values import Measurement, Recording
+from deltacal_gen.machine.values import Camera, Measurement, Recording
 from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.results.parts import InstrumentState
 from deltacal_gen.use import prediction, validation

@@ -13,8 +13,10 @@ from scipy import signal
 
 from deltacal_gen.files.robot import read_robot
 from deltacal_gen.machine.registry import mechanism_of
+from deltacal_gen.motion import fit as fits_of_joints
 from deltacal_gen.motion import identification, joint, regression, unexplained
 from deltacal_gen.motion.derivatives import Motion
+from deltacal_gen.motion.fit import Fit, climbed, fitted
 from deltacal_gen.motion.ladder import Ladder
 from deltacal_gen.motion.library import Rung
 from deltacal_gen.motion.rigid import Rigid
@@ -168,17 +170,17 @@ def test_what_foretells_worse_than_nothing_is_said_to(session: Session) -> None:
 def test_what_folds_choose_and_do_not_foretell_is_not_told(session: Session, monkeypatch: pytest.MonkeyPatch) -> None:
     """Effects may buy something on every fold beside each other, and what the others choose nothing on any of them."""
     one = session.joints[0]
-    assert joint.climbed(one).rungs
-    plain = joint.fitted(one, [])
-    monkeypatch.setattr(joint, "_apart", lambda joint, _ladder, _others, own: 0.99 * plain.held_out[own])
-    found = joint.climbed(one)
+    assert climbed(one).rungs
+    plain = fitted(one, [])
+    monkeypatch.setattr(fits_of_joints, "_apart", lambda joint, _ladder, _others, own: 0.99 * plain.held_out[own])
+    found = climbed(one)
     assert found.rungs == ()
     np.testing.assert_array_equal(found.held_out, plain.held_out)
     assert {each.effect for each in found.passed_over} >= {"coulomb_friction", "viscous_friction"}
 
 
-def fit_of(session: Session) -> joint.Fit:
-    return joint.fitted(session.joints[0], [Rung("coulomb_friction"), Rung("viscous_friction")])
+def fit_of(session: Session) -> Fit:
+    return fitted(session.joints[0], [Rung("coulomb_friction"), Rung("viscous_friction")])
 
 
 def test_noise_of_velocities_and_accelerations_is_a_part_of_the_noise(session: Session) -> None:
@@ -216,7 +218,7 @@ def test_what_tolerances_leave_is_what_a_fit_to_another_machine_leaves(session: 
 def test_bodies_that_could_be_built_have_drives_that_could(session: Session) -> None:
     links = tuple(link._replace(rotor_inertia=1e5) for link in session.robot.links)
     rigid = Session.of(dataclasses.replace(session.robot, links=links), session.given)
-    fits = [joint.fitted(each, [Rung("coulomb_friction"), Rung("viscous_friction")]) for each in rigid.moving]
+    fits = [fitted(each, [Rung("coulomb_friction"), Rung("viscous_friction")]) for each in rigid.moving]
     found = {each.name: each.value for each in identification.consistent(rigid.rigid, fits)}
     assert list(found) == list(rigid.rigid.names)
     assert all(found[f"rotor_{i}"] >= 0 for i in (1, 2, 3))

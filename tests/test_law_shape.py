@@ -14,7 +14,8 @@ from deltacal_gen.diagnosis.laws.screen import price
 from deltacal_gen.diagnosis.laws.search import placed
 from deltacal_gen.diagnosis.laws.shape import _runs_away, shaped
 from deltacal_gen.diagnosis.refits import refitted
-from deltacal_gen.estimation.fit import Fit, fit
+from deltacal_gen.estimation.fit import fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.estimation.residuals import rms
 from deltacal_gen.estimation.solvers import Prior

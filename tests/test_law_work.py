@@ -13,7 +13,8 @@ from deltacal_gen.diagnosis.laws import laws as of
 from deltacal_gen.diagnosis.laws.ground import Tried
 from deltacal_gen.diagnosis.laws.search import Grown
 from deltacal_gen.diagnosis.refits import refitted, terms_of
-from deltacal_gen.estimation.fit import Fit, rough
+from deltacal_gen.estimation.fit import rough
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.machine.registry import mechanism_of

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 import sympy as sp
 
+from deltacal_gen.instrument.kind import Readings
 from deltacal_gen.instrument.kinds import kind_of
-from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.chain import Chain
 from deltacal_gen.machine.limbs import Limbs
 from deltacal_gen.machine.registry import COORDINATES, Array, mechanism_of

@@ -11,11 +11,10 @@ from scipy.spatial.transform import Rotation
 
 from deltacal_gen.errors import InputError
 from deltacal_gen.files.robot import Robot
-from deltacal_gen.instrument.instrument import Instrument, align
+from deltacal_gen.instrument.kind import Instrument, Readings
 from deltacal_gen.instrument.kinds import kind_of, readings
-from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.registry import Machine
-from deltacal_gen.machine.rotation import cayley_matrix, from_vector, mean, to_vector
+from deltacal_gen.machine.rotation import align, cayley_matrix, from_vector, mean, to_vector
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.simulation import simulate
 

@@ -9,9 +9,10 @@ import pytest
 
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.files.recording import read_recording
-from deltacal_gen.files.robot import Masses, Robot, read_robot
+from deltacal_gen.files.robot import Robot, read_robot
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.registry import Array, Machine, load_mechanism
+from deltacal_gen.machine.values import Masses
 from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.channels import Channels
 from deltacal_gen.physics.reading import reading_shift

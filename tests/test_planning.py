@@ -377,7 +377,7 @@ def example_robot(name: str) -> Robot:
 def test_a_workspace_out_of_place_is_answered_with_the_place_of_the_machine() -> None:
     hexapod = example_robot("hexapod")
     assert hexapod.workspace is not None
-    low = dataclasses.replace(hexapod, workspace=hexapod.workspace.model_copy(update={"top": 230.0}))
+    low = dataclasses.replace(hexapod, workspace=dataclasses.replace(hexapod.workspace, top=230.0))
     said = r"reaches 0 of 60 .* joint \d would stand at -.* mm, its limit is 0\. In the middle .* at \(0, 0, 321\) mm"
     with pytest.raises(NoSolutionError, match=said):
         planning.rank_table(low, "42")

@@ -14,11 +14,11 @@ import deltacal_gen as dc
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.errors import UsageError
 from deltacal_gen.files.recording import read_recording
-from deltacal_gen.files.robot import Masses, Robot, for_model, for_names, read_robot, robot_from_dict, robot_to_dict
+from deltacal_gen.files.robot import Robot, for_model, for_names, read_robot, robot_from_dict, robot_to_dict
 from deltacal_gen.identification.identifiability import observability, unseen
 from deltacal_gen.identification.identification import identify
 from deltacal_gen.machine.registry import SOLVED, UNREACHABLE, Machine, load_mechanism
-from deltacal_gen.machine.values import Recording
+from deltacal_gen.machine.values import Masses, Recording
 from deltacal_gen.physics.simulation import read_truth, simulate, truth_names
 from deltacal_gen.use.compensation import Compensator
 

@@ -9,7 +9,8 @@ import pytest
 
 from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.diagnosis.scattering import scattering
-from deltacal_gen.estimation.fit import Fit, fit
+from deltacal_gen.estimation.fit import fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.machine.values import Recording

@@ -14,7 +14,8 @@ from deltacal_gen.diagnosis.library import library
 from deltacal_gen.diagnosis.refits import refitted, terms_of
 from deltacal_gen.diagnosis.search import Search
 from deltacal_gen.diagnosis.strategy import _exchanged
-from deltacal_gen.estimation.fit import Fit, fit
+from deltacal_gen.estimation.fit import fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.identification.drawing import strained

@@ -13,8 +13,9 @@ from deltacal_gen.estimation.fit import fit
 from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.estimation.series import FADES, OWN, OWN_PRICE, Series, Taken
 from deltacal_gen.estimation.solvers import Prior
+from deltacal_gen.identification.answer import Identification
 from deltacal_gen.identification.folds import folds
-from deltacal_gen.identification.identification import Identification, identify
+from deltacal_gen.identification.identification import identify
 from deltacal_gen.identification.together import deviance_of
 from tests.benchmarks.honesty_nulls import ROBOT, SIGMA, drawn, null
 from tests.conftest import plausible

@@ -12,7 +12,8 @@ from test_serial import robot
 from deltacal_gen.app import commands
 from deltacal_gen.diagnosis.search import Search
 from deltacal_gen.diagnosis.spectrum import Spectrum, never_seen, periodic, seen, unseen, wave, words
-from deltacal_gen.estimation.fit import Fit, fit
+from deltacal_gen.estimation.fit import fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.estimation.series import Series
 from deltacal_gen.estimation.solvers import Prior

@@ -14,9 +14,9 @@ import deltacal_gen as dc
 from deltacal_gen.errors import InputError
 from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import read_robot
-from deltacal_gen.files.sidecar import Camera
 from deltacal_gen.instrument import sphere
 from deltacal_gen.machine.registry import SOLVED, load_mechanism
+from deltacal_gen.machine.values import Camera
 from deltacal_gen.units import DEG
 from tests.claims import independent_traslosheros as own
 
@@ -253,7 +253,7 @@ def field_of_view(n: int, rng: np.random.Generator) -> np.ndarray:
 
 @pytest.mark.parametrize(("k1", "worst"), [(0.0, 1e-6), (-0.15, 2e-3)])
 def test_extremes_are_those_of_the_whole_outline(k1: float, worst: float) -> None:
-    camera = CAMERA.model_copy(update={"k1": k1})
+    camera = dataclasses.replace(CAMERA, k1=k1)
     for centre in field_of_view(40, np.random.default_rng(4)):
         outline = own.ellipse(centre).points(20_000)
         outline = outline * (1 + k1 * np.sum(outline**2, axis=1, keepdims=True))

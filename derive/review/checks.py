@@ -13,15 +13,15 @@ from typing import Any
 import numpy as np
 
 from deltacal_gen.files.robot import Robot, robot_size
-from deltacal_gen.files.sidecar import Camera
 from deltacal_gen.identification.accuracy import turned
 from deltacal_gen.identification.identifiability import RANK_TOLERANCE, Combination, unseen
-from deltacal_gen.instrument.kind import Kind, Look
+from deltacal_gen.instrument.facts import Look
+from deltacal_gen.instrument.kind import Kind
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.instrument.kinds import names as kind_names
 from deltacal_gen.machine.registry import SOLVED, Array, Machine, mechanism_of
 from deltacal_gen.machine.rotation import to_vector
-from deltacal_gen.machine.values import Measurement
+from deltacal_gen.machine.values import Camera, Measurement
 
 SEED = 1
 POSES = 160

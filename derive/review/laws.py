@@ -14,7 +14,7 @@ from typing import Any
 
 import sympy as sp
 
-from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.instrument.kind import Instrument
 from deltacal_gen.machine.chain import Chain
 from deltacal_gen.machine.limbs import Limbs
 from deltacal_gen.physics.body import Body

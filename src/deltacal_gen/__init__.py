@@ -88,8 +88,7 @@ if TYPE_CHECKING:  # what mypy and editors see; at run time names are looked up 
     from deltacal_gen.use.compensation import Compensator as Compensator
     from deltacal_gen.use.exports import export_c as export_c
     from deltacal_gen.use.tables import export_table as export_table, read_table as read_table
-
-__version__ = "0.1.0"
+    from deltacal_gen.version import __version__ as __version__
 
 _HOME = {
     "estimation.arrays": ("PoseSet", "estimate", "nominal"),
@@ -155,6 +154,7 @@ _HOME = {
 }
 _WHERE = {name: module for module, names in _HOME.items() for name in names}
 __all__ = sorted(_WHERE)  # names are looked up on first use, so that a command starts at once
+_WHERE["__version__"] = "version"
 
 
 def __getattr__(name: str) -> Any:

@@ -16,7 +16,7 @@ import os
 import signal
 import sys
 import threading
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Executor, Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
@@ -27,9 +27,9 @@ from typing import Any
 
 import deltacal_kernels
 
-import deltacal_gen
 from deltacal_gen.errors import DeltacalError, InputError
 from deltacal_gen.machine.backend import Backend, using
+from deltacal_gen.results.base import Json
 
 AHEAD = 2  # tasks in flight per worker: one at work, one waiting
 HELD = 8  # results per worker that wait in memory for an earlier one
@@ -65,16 +65,29 @@ class Outcome:
 
     key: str
     label: str
-    result: dict[str, Any] | None
+    result: Json | None
     error: str | None = None
+
+
+@dataclass(frozen=True)
+class Attempt:
+    """What a worker says of a task: its result or what went wrong, and whether that would be so another time too."""
+
+    result: Json | None
+    error: str | None
+    kept: bool
+
+    @classmethod
+    def failed(cls, error: str, *, kept: bool = False) -> Attempt:
+        """Return an attempt that has no result."""
+        return cls(None, error, kept)
 
 
 @functools.cache
 def code_digest() -> str:
     """Return a hash of this package and of its kernels: what other code has made is not taken for done."""
     digest = hashlib.sha256()
-    for package in (deltacal_gen, deltacal_kernels):
-        root = Path(str(package.__file__)).parent
+    for root in (Path(__file__).parent, Path(str(deltacal_kernels.__file__)).parent):
         for file in sorted(root.rglob("*.py")):
             digest.update(file.relative_to(root).as_posix().encode() + file.read_bytes())
     return digest.hexdigest()
@@ -90,7 +103,7 @@ def content_key(*parts: object) -> str:
 
 
 def run(
-    function: Callable[..., dict[str, Any]],
+    function: Callable[..., Json],
     tasks: Iterable[Task],
     *,
     total: int,
@@ -139,18 +152,18 @@ class Store:
         except OSError as error:
             raise InputError(f"cannot be made: {error.strerror}.", "Choose another folder.", file=directory) from None
 
-    def get(self, key: str) -> dict[str, Any] | None:
-        """Return ``result`` and ``error`` of a task that was done, or None."""
+    def get(self, key: str) -> Attempt | None:
+        """Return what became of a task that was done, or None."""
         try:
-            data: dict[str, Any] = json.loads(self._file(key).read_text(encoding="utf-8"))
+            data = json.loads(self._file(key).read_text(encoding="utf-8"))
         except (OSError, json.JSONDecodeError):
             return None
-        return data
+        return Attempt(data["result"], data["error"], kept=True)
 
     def outcome(self, task: Task) -> Outcome | None:
         """Return the outcome of a task that was done, or None."""
-        data = self.get(task.key)
-        return None if data is None else Outcome(task.key, task.label, data["result"], data["error"])
+        found = self.get(task.key)
+        return None if found is None else Outcome(task.key, task.label, found.result, found.error)
 
     def has(self, key: str) -> bool:
         """Tell whether a task was done."""
@@ -256,22 +269,22 @@ def _dask(address: str) -> Iterator[_Pool]:
         client.close()
 
 
-def attempt(function: Callable[..., dict[str, Any]], arguments: tuple[Any, ...]) -> dict[str, Any]:
-    """Return result and error of a task; runs on the worker."""
+def attempt(function: Callable[..., Json], arguments: tuple[Any, ...]) -> Attempt:
+    """Return what became of a task; runs on the worker."""
     try:
         with using(Backend.COMPILED):
-            return {"result": function(*arguments), "error": None, "kept": True}
+            return Attempt(function(*arguments), None, kept=True)
     except DeltacalError as error:
-        return {"result": None, "error": str(error), "kept": True}
+        return Attempt.failed(str(error), kept=True)
     except Exception as error:  # one recording must not end a fleet's night
-        return {"result": None, "error": f"{type(error).__name__}: {error}", "kept": False}
+        return Attempt.failed(f"{type(error).__name__}: {error}")
 
 
 class _Line:
     """Tasks on their way: at work, to be tried again since their worker ended, or done before their turn."""
 
     def __init__(self, tasks: Iterator[Task], width: int, store: Store | None) -> None:
-        self.flying: dict[Future[dict[str, Any]], tuple[int, Task]] = {}
+        self.flying: dict[Future[Attempt], tuple[int, Task]] = {}
         self.deaths: dict[str, int] = {}
         self._width, self._store = width, store
         self._upcoming, self._more = enumerate(tasks), True
@@ -318,7 +331,7 @@ class _Line:
 class _Run:
     def __init__(
         self,
-        function: Callable[..., dict[str, Any]],
+        function: Callable[..., Json],
         pool: _Pool,
         store: Store | None,
         total: int,
@@ -334,11 +347,11 @@ class _Run:
             return
         yield from self._in_order(tasks)
 
-    def _done_here(self, task: Task) -> dict[str, Any]:
+    def _done_here(self, task: Task) -> Attempt:
         try:
             arguments = task.arguments()
         except DeltacalError as error:  # a file that has gone, or cannot be read
-            return {"result": None, "error": str(error), "kept": False}
+            return Attempt.failed(str(error))
         return attempt(self.function, arguments)
 
     def _known(self, task: Task) -> Outcome | None:
@@ -347,9 +360,9 @@ class _Run:
             self._tell(task.label)
         return outcome
 
-    def _close(self, task: Task, said: Mapping[str, Any]) -> Outcome:
-        outcome = Outcome(task.key, task.label, said["result"], said["error"])
-        if self.store is not None and said["kept"]:
+    def _close(self, task: Task, said: Attempt) -> Outcome:
+        outcome = Outcome(task.key, task.label, said.result, said.error)
+        if self.store is not None and said.kept:
             self.store.put(outcome)
         self._tell(task.label)
         return outcome
@@ -396,17 +409,17 @@ class _Run:
                 future.cancel()
             executor.shutdown(wait=False)
 
-    def _begun(self, task: Task, executor: Executor, *, again: bool) -> Future[dict[str, Any]] | Outcome:
+    def _begun(self, task: Task, executor: Executor, *, again: bool) -> Future[Attempt] | Outcome:
         """Hand a task to a worker; return its outcome where it is known, or where its arguments cannot be had."""
         if not again and (known := self._known(task)) is not None:
             return known
         try:
             arguments = task.arguments()
         except DeltacalError as error:
-            return self._close(task, {"result": None, "error": str(error), "kept": False})
+            return self._close(task, Attempt.failed(str(error)))
         return executor.submit(attempt, self.function, arguments)
 
-    def _ended(self, task: Task, future: Future[dict[str, Any]]) -> Outcome | None:
+    def _ended(self, task: Task, future: Future[Attempt]) -> Outcome | None:
         """Return the outcome of a task that a worker had; None where the worker ended."""
         try:
             return self._close(task, future.result())
@@ -415,7 +428,7 @@ class _Run:
         except DeltacalError:  # the directory cannot be written
             raise
         except Exception as error:  # of the cluster: a worker lost for good, a result that cannot travel
-            return self._close(task, {"result": None, "error": f"{type(error).__name__}: {error}", "kept": False})
+            return self._close(task, Attempt.failed(f"{type(error).__name__}: {error}"))
 
     def _kept(self, task: Task) -> Outcome:
         assert self.store is not None
@@ -431,7 +444,7 @@ class _Run:
             line.deaths[task.key] = line.deaths.get(task.key, 0) + 1
             if line.deaths[task.key] >= LIVES * AHEAD:
                 words = "the worker ended every time: out of memory, or killed"
-                line.end(number, task, self._close(task, {"result": None, "error": words, "kept": False}))
+                line.end(number, task, self._close(task, Attempt.failed(words)))
             else:
                 left.append((number, task))
         return left

@@ -21,10 +21,10 @@ from scipy.optimize import least_squares
 
 import deltacal_gen as dc
 from deltacal_gen.errors import DeltacalError
-from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.system import whitened
 from deltacal_gen.identification.identification import identify
-from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.instrument.kind import Instrument
 from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.physics.body import Deformed
 from tests.benchmarks.arrival_problems import drawn

@@ -18,7 +18,8 @@ from deltacal_gen.diagnosis.correction import Smooth, displaced
 from deltacal_gen.diagnosis.library import library
 from deltacal_gen.diagnosis.refits import refitted, terms_of
 from deltacal_gen.errors import DeltacalError
-from deltacal_gen.estimation.fit import CONVERGED, Fit, fit
+from deltacal_gen.estimation.fit import CONVERGED, fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.prior import BROAD
 from deltacal_gen.estimation.problem import Problem, pose_problem
 from deltacal_gen.estimation.solvers import Prior

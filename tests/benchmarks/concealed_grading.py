@@ -19,7 +19,8 @@ from rich.table import Table
 
 from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.errors import DeltacalError
-from deltacal_gen.estimation.fit import Fit, fit, rough
+from deltacal_gen.estimation.fit import fit, rough
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.prior import BROAD
 from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.estimation.residuals import rms

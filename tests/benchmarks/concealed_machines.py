@@ -120,7 +120,7 @@ def _targets(robot: Robot, n: int, rings: bool, rng: np.random.Generator) -> Arr
     assert space is not None
     if space.radius is None:
         assert space.width is not None
-        return space.of(mechanism_of(robot)).place(space.width * rng.uniform(-0.5, 0.5, n), rng.random(n))
+        return space.place(space.width * rng.uniform(-0.5, 0.5, n), rng.random(n))
     if rings:
         per = int(rng.choice([8, 12, 18]))
         k = np.arange(n)
@@ -132,9 +132,7 @@ def _targets(robot: Robot, n: int, rings: bool, rng: np.random.Generator) -> Arr
     else:
         radius, angle = space.radius * np.sqrt(rng.random(n)), 2 * np.pi * rng.random(n)
         height = rng.random(n)
-    return space.of(mechanism_of(robot)).place(
-        np.column_stack([radius * np.cos(angle), radius * np.sin(angle)]), height
-    )
+    return space.place(np.column_stack([radius * np.cos(angle), radius * np.sin(angle)]), height)
 
 
 def kinds(mechanism: Machine) -> dict[str, float]:

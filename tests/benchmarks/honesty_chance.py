@@ -15,7 +15,7 @@ from deltacal_gen.diagnosis.diagnosis import SEED, _first, _geometry
 from deltacal_gen.diagnosis.library import library
 from deltacal_gen.diagnosis.refits import refitted
 from deltacal_gen.diagnosis.search import Search
-from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.files.checks import set_aside
 from deltacal_gen.identification.together import together
 from deltacal_gen.machine.values import Recording

@@ -30,11 +30,13 @@ import numpy as np
 from rich.console import Console
 from rich.table import Table
 
+from deltacal_gen.diagnosis.answer import Diagnosed
 from deltacal_gen.diagnosis.beside import Beside
-from deltacal_gen.diagnosis.diagnosis import Diagnosed, diagnose
+from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.diagnosis.refits import terms_of
 from deltacal_gen.errors import DeltacalError
-from deltacal_gen.estimation.fit import Fit, fit, rough
+from deltacal_gen.estimation.fit import fit, rough
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem, pose_problem
 from deltacal_gen.estimation.residuals import rms
 from deltacal_gen.estimation.solvers import Prior

@@ -7,16 +7,17 @@ how many of a model's parameters, or independent combinations of them, the readi
 from __future__ import annotations
 
 import argparse
+import math
 import sys
 from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
-from deltacal_gen.files.sidecar import Camera
 from deltacal_gen.identification.identifiability import RANK_TOLERANCE
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.registry import mechanism_names, mechanism_of
+from deltacal_gen.machine.values import Camera
 from derive.review import checks
 from derive.review.subjects import example
 from tests.measured import write
@@ -27,7 +28,7 @@ MORE: dict[str, tuple[str, Mapping[str, Any]]] = {  # what else may be unknown o
     "images of a board, the print's scale unknown": ("board_image", {"board_scale": "unknown"}),
     "images of a board, the lens unknown": (
         "board_image",
-        {"camera": Camera.model_validate(dict.fromkeys(("k1", "k2", "p1", "p2", "k3"), "unknown"))},
+        {"camera": Camera(**dict.fromkeys(("k1", "k2", "p1", "p2", "k3"), math.nan))},
     ),
 }
 

@@ -146,7 +146,7 @@ def test_the_engines_joint_reactions_are_the_static_torques() -> None:
     q, tool = rng.uniform(-40, 60, (1, 3)), np.array([[10.0, -20.0, -30.0]])
     wanted = robot.masses
     assert wanted is not None
-    masses = {k: v for k, v in wanted.model_dump().items() if isinstance(v, float)}
+    masses = {k: v for k, v in dataclasses.asdict(wanted).items() if isinstance(v, float)}
     x, _ = MECHANISM.forward(q * DEG, tool, (at := MECHANISM.rows(robot, MECHANISM.vector(errors))))
     torques = MECHANISM.torques(x, q * DEG, tool, at, masses, np.array([0, 0, -9.81]), 2.5)[0] / 1000
     np.testing.assert_allclose(delta.pose(q[0], {"payload_kg": 2.5}, tool[0]).torques, torques, rtol=1e-8)

@@ -14,12 +14,12 @@ from pathlib import Path
 
 import numpy as np
 
-from deltacal_gen.app import commands
+from deltacal_gen.app.commands.calibration import diagnose, identify
 from deltacal_gen.files.robot import read_robot, robot_to_toml
 from deltacal_gen.files.writing import write_files
 from deltacal_gen.identification.accuracy import check_poses, workspace_of
-from deltacal_gen.instrument.instrument import align
 from deltacal_gen.machine.registry import Array
+from deltacal_gen.machine.rotation import align
 from deltacal_gen.pages import figures
 from deltacal_gen.physics.simulation import read_truth
 from deltacal_gen.physics.terms import Term
@@ -45,10 +45,8 @@ def run(folder: Path, progress: Callable[[str], None]) -> Demo:
         name: folder / name
         for name in ("result.json", "diagnosis.json", "diagnosis.html", "diagnosis.svg", "calibrated.toml", "command.c")
     }
-    result = commands.identify(robot, recording, output=files["result.json"], progress=progress)
-    found = commands.diagnose(
-        robot, recording, files["diagnosis.json"], report=files["diagnosis.html"], progress=progress
-    )
+    result = identify(robot, recording, output=files["result.json"], progress=progress)
+    found = diagnose(robot, recording, files["diagnosis.json"], report=files["diagnosis.html"], progress=progress)
     progress("picture")
     figures.write(found, files["diagnosis.svg"])
     progress("compensator")

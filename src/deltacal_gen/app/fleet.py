@@ -22,7 +22,9 @@ from functools import partial
 from pathlib import Path
 from typing import Any, cast
 
-from deltacal_gen.app import commands
+from deltacal_gen.app.commands.calibration import diagnose, identify
+from deltacal_gen.app.commands.sources import import_klipper, import_points, import_rrf
+from deltacal_gen.app.commands.use import validate
 from deltacal_gen.errors import DeltacalError, InputError, UsageError
 from deltacal_gen.execution import Outcome, Store, Task, Told, content_key, run
 from deltacal_gen.files.points import is_table_of_joints
@@ -62,9 +64,9 @@ BESIDE = (".distances", ".instrument")  # ends of the names of tables that belon
 LAST = "last.json"  # which files each recording was and which task, the last time that all were done
 CONFIGS = ("config-override.g", "config.g")  # of RepRapFirmware: M500 writes the first, which then holds
 IMPORTS: Mapping[str, Callable[..., Any]] = {
-    "klipper": commands.import_klipper,
-    "rrf": commands.import_rrf,
-    "points": commands.import_points,
+    "klipper": import_klipper,
+    "rrf": import_rrf,
+    "points": import_points,
 }
 CLEAR = 3.0  # standard deviations by which an effect has changed
 LOOKED_AT = 1_000_000  # bytes of a text, to tell what it is
@@ -270,13 +272,13 @@ def do(action: str, model: str | None, files: Contents) -> Json:
         robot, recording = folder / ROBOT, folder / "recording.csv"
         with _own_names():
             if action == "validate":
-                return _with_figures(commands.validate(folder / RESULT, recording))
+                return _with_figures(validate(folder / RESULT, recording))
             if action == "identify":
-                return _with_figures(commands.identify(robot, recording, model))
-            found = commands.diagnose(robot, recording, model=model)
+                return _with_figures(identify(robot, recording, model))
+            found = diagnose(robot, recording, model=model)
             if found.verdict is Verdict.ADEQUATE:  # else what is left out would be taken for parts that moved
                 with suppress(DeltacalError):
-                    calibrated = commands.identify(robot, recording, model)
+                    calibrated = identify(robot, recording, model)
                     geometry = Geometry(robot=calibrated.robot, parameters=calibrated.parameters)
                     found = found.replace(geometry=geometry)
             return _with_figures(found)
@@ -378,9 +380,9 @@ def _imported_from(session: Session) -> tuple[str, Contents]:
 def _of_session(store: Store, key: str, name: str, beside: Mapping[str, Path]) -> Contents:
     """Return the files of an imported recording, which the run directory keeps."""
     kept = store.get(key)
-    if kept is None:
+    if kept is None or kept.result is None:
         raise InputError("a result that was there is gone.", "Run again.", file=store.folder)
-    texts: dict[str, str] = kept["result"]["recordings"][name]
+    texts: dict[str, str] = kept.result["recordings"][name]
     return {n: t.encode() for n, t in texts.items()} | dict(_contents(beside))
 
 
@@ -452,12 +454,12 @@ def write_pages(found: Batch, directory: Path) -> dict[str, str]:
     done = [] if found.action == "validate" else worst(found.rows, report.MOST_DRAWN)
     for row in done:
         kept = None if isinstance(row, FailedRow) else store.get(last[row.recording][1])
-        if kept is None or kept["result"] is None:
+        if kept is None or kept.result is None:
             continue
         place = Path(PAGES) / f"{last[row.recording][1]}.html"
         if not (directory / place).exists():
             (directory / PAGES).mkdir(exist_ok=True)
-            answer = read_answer(kept["result"])
+            answer = read_answer(kept.result)
             text = report.calibration(answer) if isinstance(answer, Result) else report.diagnosis(cast("Any", answer))
             write_files({directory / place: text})
         links[row.recording] = place.as_posix()
@@ -495,10 +497,10 @@ def _changed(
         before[job.machine] = job
         for label, key in pairs:
             old, new = store.get(key), store.get(keys[job.label])
-            if old is None or new is None or old["result"] is None or new["result"] is None:
+            if old is None or new is None or old.result is None or new.result is None:
                 continue
             try:
-                text = _moved(read_answer(old["result"]), read_answer(new["result"]))
+                text = _moved(read_answer(old.result), read_answer(new.result))
             except InputError as error:  # other machines, or a run of another version
                 text = str(error)
             changed.append(Moved(machine=job.machine, from_=label, to=job.label, text=text))

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Literal
+from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 
@@ -13,15 +14,18 @@ from deltacal_gen.diagnosis.correction import POSITION, Correction
 from deltacal_gen.diagnosis.discrimination import more_poses
 from deltacal_gen.diagnosis.findings import Named
 from deltacal_gen.diagnosis.harmonics import order_of
+from deltacal_gen.diagnosis.laws.laws import Lawful
 from deltacal_gen.diagnosis.laws.told import told
 from deltacal_gen.diagnosis.search import SCATTERED
 from deltacal_gen.diagnosis.spectrum import Spectrum, wave
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.files.robot import kept_robot
 from deltacal_gen.identification.knowledge import uncertainty_of
-from deltacal_gen.identification.noise import noise_model
+from deltacal_gen.identification.noise import Noise, noise_model
 from deltacal_gen.identification.unknowns import unknowns_of
-from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.instrument.kind import Instrument
+from deltacal_gen.machine.values import Robot
 from deltacal_gen.physics.law import PREFIX
 from deltacal_gen.physics.terms import (
     LOGGED,
@@ -38,8 +42,12 @@ from deltacal_gen.results.diagnosis import (
     Effect,
     EffectParameter,
     Final,
+    Hint,
     JointFunction,
+    Location,
+    NextMeasurement,
     NoiseLevel,
+    Rejected,
     Residuals,
     Searched,
     Seen,
@@ -47,15 +55,48 @@ from deltacal_gen.results.diagnosis import (
     SmoothCorrection,
     Verdict,
 )
-from deltacal_gen.results.parts import InstrumentState, MachineState, Source
+from deltacal_gen.results.parts import InstrumentState, MachineState, Missing, Source
 from deltacal_gen.units import DEG, joint_factors, joint_names
 
-if TYPE_CHECKING:
-    from deltacal_gen.diagnosis.diagnosis import Diagnosed
-
+SHORT = 2.0  # times the noise: a held-out error beyond it says that the geometry itself is hardly known
 MOST_TOLD = 3  # joints, and waves of each, of a smooth correction that the summary tells
 MOST_ODDS = 100.0  # that are told as a number
 WORTH_SAYING = 0.02  # p-value of a hint that the summary tells
+
+
+@dataclass(frozen=True)
+class Diagnosed:
+    """What was found, with the fits that it rests on; `answer` gives the same as users read it."""
+
+    verdict: Verdict
+    model: str
+    baseline: Fit
+    final: Fit
+    effects: tuple[Named, ...]
+    heldout: tuple[float, float]
+    noise: Noise
+    location: Location
+    rejected: tuple[Rejected, ...]
+    hints: tuple[Hint, ...]
+    not_tested: tuple[Missing, ...]
+    next_measurements: tuple[NextMeasurement, ...]
+    robot: Robot
+    chance: Chance
+    correction: Correction | None = None
+    spectrum: Spectrum | None = None
+    lean: bool = False
+    laws: tuple[Lawful, ...] = ()
+    turned: str = ""
+    doubts: tuple[str, ...] = ()
+
+    @property
+    def short(self) -> bool:
+        """Whether there are too few readings to tell a lesser effect from geometry."""
+        return self.verdict is Verdict.ADEQUATE and not self.heldout[0] <= SHORT * self.noise.sigma
+
+    def answer(self) -> Diagnosis:
+        """Return the same as users read it: DIAGNOSIS.json."""
+        return result_of(self)
 
 
 def result_of(found: Diagnosed) -> Diagnosis:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.machine.registry import Array
 
 BLOCK = 256  # columns that are whitened at once: whitening needs four times their memory

@@ -18,13 +18,14 @@ import numpy as np
 from deltacal_gen.diagnosis.beside import Beside
 from deltacal_gen.diagnosis.structure import Structure, structures
 from deltacal_gen.errors import InputError, NoSolutionError
-from deltacal_gen.estimation.fit import Fit, fit
+from deltacal_gen.estimation.fit import fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.residuals import lengths, rms, robust_sigma, robust_weights
 from deltacal_gen.estimation.solvers import Prior, jitter
 from deltacal_gen.identification.folds import folds
 from deltacal_gen.identification.together import rows_alone
-from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.instrument.kind import Instrument
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.body import Body

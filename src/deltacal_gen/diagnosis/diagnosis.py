@@ -18,12 +18,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from deltacal_gen.diagnosis.answer import result_of
+from deltacal_gen.diagnosis.answer import Diagnosed
 from deltacal_gen.diagnosis.chance import Chance
 from deltacal_gen.diagnosis.charges import MARGIN
-from deltacal_gen.diagnosis.correction import BorneOut, Correction, borne_out_beside
+from deltacal_gen.diagnosis.correction import BorneOut, borne_out_beside
 from deltacal_gen.diagnosis.discrimination import Question, next_measurements
-from deltacal_gen.diagnosis.findings import AMBIGUOUS, Named, location_of, named_of, rejected_of, turned_of
+from deltacal_gen.diagnosis.findings import AMBIGUOUS, location_of, named_of, rejected_of, turned_of
 from deltacal_gen.diagnosis.hints import hinted, outweighed, told
 from deltacal_gen.diagnosis.laws.laws import Lawful, Sought, laws
 from deltacal_gen.diagnosis.laws.remainder import with_remainder
@@ -44,7 +44,8 @@ from deltacal_gen.diagnosis.strategy import (
 from deltacal_gen.diagnosis.structure import Structure, structures
 from deltacal_gen.diagnosis.wandering import following_walks
 from deltacal_gen.errors import NoSolutionError
-from deltacal_gen.estimation.fit import CONVERGED, SPARE_READINGS, Fit, fit, rough
+from deltacal_gen.estimation.fit import CONVERGED, SPARE_READINGS, fit, rough
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.prior import with_prior
 from deltacal_gen.estimation.problem import Problem, pose_problem
 from deltacal_gen.estimation.residuals import lengths, rms
@@ -54,7 +55,7 @@ from deltacal_gen.files.robot import Robot
 from deltacal_gen.identification import checks
 from deltacal_gen.identification.drawing import ANOTHERS, as_read, doubts, strained
 from deltacal_gen.identification.folds import folds
-from deltacal_gen.identification.noise import Noise, doubted, lack_of_fit, merely_more, noise
+from deltacal_gen.identification.noise import doubted, lack_of_fit, merely_more, noise
 from deltacal_gen.identification.prior import learned
 from deltacal_gen.identification.together import as_predicts, deviance_of, together
 from deltacal_gen.machine.backend import by_recording
@@ -62,11 +63,6 @@ from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.terms import Term, effect_names
 from deltacal_gen.results.diagnosis import (
-    Diagnosis,
-    Hint,
-    Location,
-    NextMeasurement,
-    Rejected,
     Verdict,
 )
 from deltacal_gen.results.parts import Missing
@@ -74,42 +70,6 @@ from deltacal_gen.results.parts import Missing
 MOST_POSES = 700  # that the search looks at, drawn at random: they show what is there; the fit uses all
 SEED = 2013
 MACHINED = 5.0  # standard deviation of a source error, in ordinary ones: geometry may not strain to imitate physics
-SHORT = 2.0  # times the noise: a held-out error beyond it says that the geometry itself is hardly known
-
-
-@dataclass(frozen=True)
-class Diagnosed:
-    """What was found, with the fits that it rests on; `answer` gives the same as users read it."""
-
-    verdict: Verdict
-    model: str
-    baseline: Fit
-    final: Fit
-    effects: tuple[Named, ...]
-    heldout: tuple[float, float]
-    noise: Noise
-    location: Location
-    rejected: tuple[Rejected, ...]
-    hints: tuple[Hint, ...]
-    not_tested: tuple[Missing, ...]
-    next_measurements: tuple[NextMeasurement, ...]
-    robot: Robot
-    chance: Chance
-    correction: Correction | None = None
-    spectrum: Spectrum | None = None
-    lean: bool = False
-    laws: tuple[Lawful, ...] = ()
-    turned: str = ""
-    doubts: tuple[str, ...] = ()
-
-    @property
-    def short(self) -> bool:
-        """Whether there are too few readings to tell a lesser effect from geometry."""
-        return self.verdict is Verdict.ADEQUATE and not self.heldout[0] <= SHORT * self.noise.sigma
-
-    def answer(self) -> Diagnosis:
-        """Return the same as users read it: DIAGNOSIS.json."""
-        return result_of(self)
 
 
 @by_recording("diagnose")
@@ -163,8 +123,7 @@ def diagnose(
     of, shows = (found.search.fit, found.left) if lawful else (search.fit, left)
     location = location_of(of, shows, named, spectrum, chance, not (unexplained or lawful), found.wandering)
     progress("what to measure next")
-    findings = (n for n in named if n.fundamental is None)
-    asked = *(Question(n.term, n.rivals, n.unrecorded) for n in findings), *sought.questions
+    asked = *(Question(n.term, n.rivals, n.unrecorded) for n in named if not n.fundamental), *sought.questions
     questions = [*asked, *(Question(h.term, proven=False) for h in doubtful)]
     return Diagnosed(
         verdict=Verdict.UNEXPLAINED if unexplained else _verdict(current),

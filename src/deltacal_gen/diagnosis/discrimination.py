@@ -25,7 +25,7 @@ from deltacal_gen.diagnosis.candidates import (
     joints_of,
 )
 from deltacal_gen.diagnosis.designs import Duel, Refutation, choose
-from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.body import Body

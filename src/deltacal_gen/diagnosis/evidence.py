@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.residuals import HUBER
 from deltacal_gen.machine.registry import Array
 

@@ -18,7 +18,7 @@ from deltacal_gen.diagnosis.spectrum import Spectrum, wave
 from deltacal_gen.diagnosis.strategy import ALIKE
 from deltacal_gen.diagnosis.structure import Region, Structure, alike
 from deltacal_gen.diagnosis.unnamed import shifts
-from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.law import is_law

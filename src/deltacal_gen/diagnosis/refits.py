@@ -10,7 +10,8 @@ import numpy as np
 
 from deltacal_gen.diagnosis.charges import several
 from deltacal_gen.errors import InputError, NoSolutionError
-from deltacal_gen.estimation.fit import Fit, fit
+from deltacal_gen.estimation.fit import fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import ROUNDING, Problem
 from deltacal_gen.estimation.residuals import Repeats
 from deltacal_gen.estimation.series import Series

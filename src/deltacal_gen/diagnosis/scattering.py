@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from deltacal_gen.estimation.directions import CHANCE, FEWEST, explained
-from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.identification.noise import noise
 from deltacal_gen.identification.rounding import moved_by_steps
 from deltacal_gen.machine.registry import Array

@@ -41,7 +41,7 @@ from deltacal_gen.diagnosis.harmonics import (
     series,
 )
 from deltacal_gen.diagnosis.library import SIZE_STEP
-from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import ROUNDING, Problem
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.body import Body

@@ -19,7 +19,7 @@ from functools import cache, cached_property
 import numpy as np
 
 from deltacal_gen.diagnosis.library import ORDERS
-from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.residuals import lengths, rms
 from deltacal_gen.estimation.solvers import jitter

@@ -17,7 +17,8 @@ from deltacal_gen.diagnosis.scattering import scattering
 from deltacal_gen.diagnosis.search import Found, Search
 from deltacal_gen.diagnosis.spectrum import Spectrum, periodic, wave
 from deltacal_gen.diagnosis.structure import Structure, alike, smooth_columns, structures
-from deltacal_gen.estimation.fit import Fit, held_out, held_out_errors
+from deltacal_gen.estimation.fit import held_out, held_out_errors
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.identification.folds import folds

@@ -15,7 +15,7 @@ import numpy as np
 
 from deltacal_gen.diagnosis.beside import Beside
 from deltacal_gen.diagnosis.charges import MOST_SETS, best_set, gains, quantile
-from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.rotation import swept

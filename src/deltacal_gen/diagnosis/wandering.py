@@ -20,7 +20,7 @@ from deltacal_gen.diagnosis.charges import MARGIN, quantile
 from deltacal_gen.diagnosis.components import Components, of_noise, with_fitted
 from deltacal_gen.diagnosis.refits import terms_of
 from deltacal_gen.diagnosis.structure import by_instrument
-from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.terms import Term

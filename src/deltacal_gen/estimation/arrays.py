@@ -19,7 +19,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
-from deltacal_gen.estimation.fit import Fit, fit, rough
+from deltacal_gen.estimation.fit import fit, rough
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem, pose_problem
 from deltacal_gen.estimation.solvers import Factored, LeastSquares, Solver
 from deltacal_gen.instrument.kinds import PAIRS, POINTS

@@ -10,15 +10,14 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
 
 import numpy as np
 
 from deltacal_gen.errors import InputError, NoSolutionError
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.prior import BROAD, with_prior
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.residuals import (
-    GROSS,
     Repeats,
     lengths,
     rms,
@@ -26,12 +25,12 @@ from deltacal_gen.estimation.residuals import (
     robust_weights,
     shared_by_repeats,
 )
-from deltacal_gen.estimation.saddles import SEEN, away
+from deltacal_gen.estimation.saddles import away
 from deltacal_gen.estimation.solvers import LeastSquares, Prior, Solution, Solver
 from deltacal_gen.estimation.steps import Linear, State, improved
 from deltacal_gen.estimation.system import System, system, whitened
 from deltacal_gen.estimation.turns import turned
-from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.instrument.kind import Instrument
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.body import Deformed
 
@@ -42,73 +41,6 @@ PATIENCE, SETTLED, UNSETTLED = 30, 5e-2, 1.0
 ESTIMATED_AT = 3  # iteration in which at the latest the weight of repeats is estimated: the fit is then close
 SPOILT = 30.0  # times the median residual: a reading so far off is named when a fit does not converge
 SPARE_READINGS = 3  # scalars beyond the unknowns, without which no noise can be told from errors
-
-
-@dataclass(frozen=True, eq=False)
-class Fit:
-    """A fitted machine and instrument.
-
-    Attributes
-    ----------
-    errors : (n_p,) array
-        All source errors of the mechanism [mm, rad]; then the coefficients of effects.
-    machine : Deformed
-        With these errors, at all rows of the recording.
-    residual : (R, k) array
-        Measured minus predicted, NaN where a component was not read.
-    weights : (R,) array
-        Robust weight of each reading, 1 where it counts fully.
-    sigma : (k,) array
-        Estimated noise of each component [mm, rad].
-    solution : Solution
-        Of the last step, in scaled parameters.
-    covariance : (n + n_m, n + n_m) array
-        Joint, of the free parameters and the instrument's unknowns [mm, rad].
-    history : list of float
-        What each iteration could still gain in chi2.
-    """
-
-    problem: Problem
-    errors: Array
-    machine: Deformed
-    instrument: Instrument
-    residual: Array
-    weights: Array
-    sigma: Array
-    solution: Solution
-    covariance: Array
-    repeats: Repeats
-    history: list[float] = field(default_factory=list)
-
-    @property
-    def parameters(self) -> dict[str, float]:
-        """The free source errors by name [mm, rad]."""
-        names = self.problem.names
-        return dict(zip(names, self.errors[self.problem.columns[: len(names)]].tolist(), strict=True))
-
-    @property
-    def departure(self) -> Array:
-        """Departure (n,) of the free parameters from their reference, in their scale."""
-        problem = self.problem
-        out: Array = (self.errors[problem.columns] - problem.reference[problem.columns]) / problem.scale
-        return out
-
-    @property
-    def gross(self) -> np.ndarray:
-        """Readings (indices) so far off that they are gross errors, not noise: of few others are wrong, not of most."""
-        size = np.nanmax(np.abs(self.repeats.off(self.residual)) / self.sigma, axis=1)
-        off = np.flatnonzero(size > GROSS)
-        return off if 2 * len(off) <= len(size) else off[:0]
-
-    @property
-    def effects_seen(self) -> bool:
-        """Whether the readings see every coefficient of the effects that are fitted."""
-        own = np.diag(self.solution.covariance)[len(self.problem.names) :]
-        return bool((own < 1.0 - SEEN).all())
-
-    def rms(self) -> float:
-        """RMS of the residuals of length, each measured scalar once, gross errors left out [mm]."""
-        return rms(lengths(np.delete(self.residual, self.gross, axis=0), self.problem.readings.kind))
 
 
 def fit(

@@ -10,9 +10,8 @@ from typing import NamedTuple
 import numpy as np
 
 from deltacal_gen.errors import InputError
-from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.instrument.kind import Instrument, Readings
 from deltacal_gen.instrument.kinds import measured_points, readings
-from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.answers import Sensitivity
 from deltacal_gen.machine.registry import Array, Machine, mechanism_of
 from deltacal_gen.machine.values import Recording, Robot
@@ -171,7 +170,7 @@ class Problem:
         """Return the derivatives of what instruments look at, the platform's pose or the joints, in some rows."""
         rows = machine.rows if len(machine.rows) == 1 else machine.rows[used]
         if self.readings.kind.sees_joints:
-            return Sensitivity.of_joints(self.mechanism, len(used))
+            return self.mechanism.joint_sensitivity(len(used))
         return self.mechanism.sensitivity(machine.x[used], machine.q[used], machine.tool[used], rows)
 
     def _moved(

@@ -11,8 +11,7 @@ import numpy as np
 
 from deltacal_gen.estimation.directions import levelling
 from deltacal_gen.estimation.series import Series
-from deltacal_gen.instrument.kind import Kind
-from deltacal_gen.instrument.readings import Readings
+from deltacal_gen.instrument.kind import Kind, Readings
 from deltacal_gen.machine.registry import Array
 
 SMALLEST_SIGMA = 1e-7  # mm and rad: noise below this is rounding of what went before, not of a reading

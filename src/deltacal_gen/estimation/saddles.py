@@ -14,14 +14,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from deltacal_gen.errors import InputError
+from deltacal_gen.estimation.fitted import SEEN, Fit
 from deltacal_gen.estimation.steps import State, following
 from deltacal_gen.estimation.system import System, system
 
 if TYPE_CHECKING:
-    from deltacal_gen.estimation.fit import Fit
     from deltacal_gen.machine.registry import Array
 
-SEEN = 0.9  # of a direction's variance beforehand that readings take away: it holds still
 ASIDE = 0.02  # standard deviations beforehand: how far beside a fit its gradient is taken
 LINEAR = 0.02  # of a gradient's change: where less of it is not the linear machine's, nothing is asked further
 LOOKS = 8  # directions that are looked at

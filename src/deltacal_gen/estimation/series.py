@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from deltacal_gen.instrument.readings import Readings
+from deltacal_gen.instrument.kind import Readings
 from deltacal_gen.machine.registry import Array
 
 LONGEST = 1e-3  # 1 - rho of neighbours: within any recording that is a walk

@@ -19,7 +19,7 @@ from deltacal_gen.errors import InputError
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.solvers import WEAKEST, Solution
 from deltacal_gen.estimation.system import System, length_of
-from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.instrument.kind import Instrument
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.body import Deformed
 

@@ -19,12 +19,13 @@ import numpy as np
 from deltacal_kernels import images
 
 from deltacal_gen.errors import InputError, UsageError
-from deltacal_gen.files.sidecar import Camera
+from deltacal_gen.files.columns import Columns
+from deltacal_gen.files.sidecar import CameraTable, said_of
 from deltacal_gen.files.toml import Table, TomlFile, toml_text
 from deltacal_gen.files.writing import csv_text, write_files
 from deltacal_gen.instrument import sphere
-from deltacal_gen.instrument.instrument import align
-from deltacal_gen.machine.rotation import from_vector
+from deltacal_gen.machine.rotation import align, from_vector
+from deltacal_gen.machine.values import Camera
 
 if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Array
@@ -309,10 +310,10 @@ def calibrate(
         [board] * len(seen), seen, (columns, rows), None, None, flags=flags
     )
     camera = Camera(
-        fx_px=K[0, 0],
-        fy_px=K[1, 1],
-        cx_px=K[0, 2],
-        cy_px=K[1, 2],
+        fx_px=float(K[0, 0]),
+        fy_px=float(K[1, 1]),
+        cx_px=float(K[0, 2]),
+        cy_px=float(K[1, 2]),
         k1=float(np.ravel(distortion)[0]),
         ball_radius_mm=ball_radius_mm,
     )
@@ -347,7 +348,7 @@ def hand_eye(positions: Array, seen: Array) -> tuple[Array, float]:
 
 class _Measurement(Table):
     kind: str = "sphere"
-    camera: Camera
+    camera: CameraTable
 
 
 class _CameraFile(Table):
@@ -356,12 +357,12 @@ class _CameraFile(Table):
 
 def read_camera(path: str | Path) -> Camera:
     """Return the camera of a TOML file with a table ``[measurement.camera]``: what `camera_text` gives."""
-    return TomlFile.read(path).check(_CameraFile).measurement.camera
+    return TomlFile.read(path).check(_CameraFile).measurement.camera.value()
 
 
 def camera_text(camera: Camera) -> str:
     """Return a camera as the text of a recording's sidecar."""
-    return toml_text({"measurement": {"kind": "sphere"}, "measurement.camera": camera.said()})
+    return toml_text({"measurement": {"kind": "sphere"}, "measurement.camera": said_of(camera)})
 
 
 def record(table: str | Path, camera: Camera, output: str | Path) -> list[Ball]:
@@ -393,7 +394,7 @@ def record(table: str | Path, camera: Camera, output: str | Path) -> list[Ball]:
             raise InputError("the cell is blank.", "Name the image.", file=table, line=n + 2, column="image")
         path = table.parent / row["image"]
         balls.append(find_ball(read_image(path), camera, path))
-    columns: dict[str, Any] = {name: [row[name] for row in rows] for name in rows[0] if name and name != "image"}
+    columns: Columns = {name: [row[name] for row in rows] for name in rows[0] if name and name != "image"}
     for name, values in zip(("u1_px", "u2_px", "v1_px", "v2_px"), np.array([b.extremes for b in balls]).T, strict=True):
         columns[name] = values
     output = Path(output)

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from pathlib import Path
 
 from deltacal_gen.instrument import kinds
 from deltacal_gen.instrument.kinds import kind_of
+from deltacal_gen.machine.rotation import Array
 from deltacal_gen.states import RECORDED
 
 TOOL = ("tool_x_mm", "tool_y_mm", "tool_z_mm")
@@ -20,6 +22,10 @@ JOINT = re.compile(r"q\d+_(deg|mm)")
 def is_channel(column: str) -> bool:
     """Tell whether a column holds a channel that the program knows, of whatever joint or part."""
     return any(s.holds(column) for s in RECORDED)
+
+
+Column = Sequence[float | str] | Array
+Columns = dict[str, Column]  # of a file, by name
 
 
 def distances_path(path: Path) -> Path:

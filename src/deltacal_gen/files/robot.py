@@ -20,13 +20,12 @@ from pydantic import (
     BaseModel,
     BeforeValidator,
     Field,
-    PrivateAttr,
     create_model,
 )
 
 from deltacal_gen.errors import InputError, UsageError
-from deltacal_gen.files.toml import NonNegative, Number, Positive, Table, TomlFile, Vector, toml_text
-from deltacal_gen.machine.values import Link, Robot
+from deltacal_gen.files.toml import NonNegative, Number, Positive, Raw, Table, TomlFile, Vector, toml_text
+from deltacal_gen.machine.values import Link, Masses, Robot, Transmission, Workspace
 from deltacal_gen.results.parts import Named, RobotTables
 from deltacal_gen.units import file_unit, joint_factors, of_joints, to_file, to_internal
 
@@ -70,75 +69,18 @@ _Tensor: Any = _list(Number, 6)
 _Interval: Any = Annotated[_list(Number, 2), AfterValidator(_is_interval)]
 
 
-class Workspace(Table):
-    """Where the machine works [mm]: a cylinder about z; for planar machines a rectangle; for a single joint a stroke.
-
-    `top` is the distance from the base plane to the first layer, `radius` (or `width`) and `height` are its size; a
-    stroke, along x, has a width only. A platform that turns on command turns by up to `turn` [deg] either way. On which
-    side of the base the layers lie is the mechanism's.
-    """
+class _Workspace(Table):
+    """The table [workspace], of which `Workspace` is made."""
 
     top: Positive | None = None
     radius: Positive | None = None
     width: Positive | None = None
     height: Positive | None = None
     turn: NonNegative | None = None
-    _layers: tuple[int, int] = PrivateAttr(default=(-1, -1))
-
-    def of(self, mechanism: Machine) -> Workspace:
-        """Return the workspace on that side of the base where this mechanism has it."""
-        placed = self.model_copy()
-        placed._layers = mechanism.layers
-        return placed
-
-    @property
-    def levels(self) -> tuple[float, float]:
-        """Where the first layer and the last one lie along z, or along y of a rectangle."""
-        side, way = self._layers
-        first = side * (self.top or 0.0)
-        return first, first + way * (self.height or 0.0)
-
-    def place(self, across: Any, part: Any) -> np.ndarray[Any, np.dtype[np.float64]]:
-        """Return positions (N, 3) in {O}: `across` (N, 2) of a cylinder, or (N,) along x, at parts of the height."""
-        first, last = self.levels
-        level = first + np.asarray(part, dtype=float) * (last - first)
-        across = np.asarray(across, dtype=float)
-        if self.radius is not None:
-            return np.column_stack([across, np.broadcast_to(level, len(across))])
-        return np.column_stack([across, np.broadcast_to(level, len(across)), np.zeros(len(across))])
-
-    @property
-    def home(self) -> np.ndarray[Any, np.dtype[np.float64]]:
-        """Its centre, (3,)."""
-        centre: np.ndarray[Any, np.dtype[np.float64]] = self.place(np.zeros((1, 2) if self.radius else 1), 0.5)[0]
-        return centre
-
-    @property
-    def box(self) -> tuple[np.ndarray[Any, np.dtype[np.float64]], np.ndarray[Any, np.dtype[np.float64]]]:
-        """Its centre and its half size, (3,) each; no size along axes in which the machine does not move."""
-        half = (self.height or 0.0) / 2
-        if self.radius is not None:
-            return self.home, np.array([self.radius, self.radius, half])
-        return self.home, np.array([(self.width or 0.0) / 2, half, 0.0])
-
-    def holds(self, positions: np.ndarray[Any, np.dtype[np.float64]]) -> np.ndarray[Any, np.dtype[np.bool_]]:
-        """Tell which positions (N, 3) lie within."""
-        centre, half = self.box
-        across = np.hypot(*positions[:, :2].T) <= self.radius if self.radius is not None else True
-        inside = np.abs(positions - centre) <= half
-        if self.top is None:  # of a stroke only x counts
-            return np.asarray(inside[:, 0])
-        return np.asarray(across & inside.all(axis=1))
 
 
-class Masses(Table):
-    """Moving masses [kg]; one that is not given counts as zero.
-
-    `proximal` is one arm with its centre of mass at `proximal_com` of its length, `distal_rod` one of the rods,
-    `platform` sits at O', `carriage` is that of a sliding joint. `gravity` is (3,) in {O} [m/s^2 = N/kg];
-    `proximal_inertia` is an arm's own inertia about its centre of mass [kg mm^2], `distal_inertia` that of a rod,
-    across it: None for those of slender rods. `rotor_inertia` turns with the joint [kg mm^2].
-    """
+class _Masses(Table):
+    """The table [masses], of which `Masses` are made."""
 
     proximal: NonNegative = 0.0
     proximal_com: Number = 0.5
@@ -151,12 +93,8 @@ class Masses(Table):
     rotor_inertia: NonNegative | None = None
 
 
-class Transmission(Table):
-    """What is between motor and joint.
-
-    `gear_ratio` in motor turns per joint turn, `encoder_counts` per motor turn, `pulley_circumference` in mm of belt
-    per motor turn, `torque_constant_Nm_A` what each joint gets of an ampere.
-    """
+class _Transmission(Table):
+    """The table [transmission], of which `Transmission` is made."""
 
     gear_ratio: Positive | None = None
     encoder_counts: Positive | None = None
@@ -200,7 +138,7 @@ def read_robot(path: str | Path, *, load: Loader | None = None) -> Robot:
     return _robot(TomlFile.read(path), load)
 
 
-def robot_from_dict(tables: Mapping[str, Any], *, load: Loader | None = None) -> Robot:
+def robot_from_dict(tables: Raw, *, load: Loader | None = None) -> Robot:
     """Robot from the tables of a robot file, as `robot_to_dict` gives them [mm, deg]; raises InputError."""
     return _robot(TomlFile(None, "", dict(tables)), load)
 
@@ -211,9 +149,15 @@ def robot_to_dict(robot: Robot, *, load: Loader | None = None) -> dict[str, Any]
     tables: dict[str, Any] = {"robot": {"name": robot.name, "mechanism": robot.mechanism}}
     if robot.drawn:
         tables["geometry"] = {"tool": [float(value) for value in robot.tool]}
-    for name, part in (("workspace", robot.workspace), ("masses", robot.masses), ("transmission", robot.transmission)):
+    parts: tuple[tuple[str, type[Table], object], ...] = (
+        ("workspace", _Workspace, robot.workspace),
+        ("masses", _Masses, robot.masses),
+        ("transmission", _Transmission, robot.transmission),
+    )
+    for name, table, part in parts:
         if part is not None:
-            tables[name] = part.model_dump(mode="json", exclude_none=True)
+            said = table(**{key: getattr(part, key) for key in table.model_fields})
+            tables[name] = said.model_dump(mode="json", exclude_none=True)
     tables["joints"] = {"sign": [int(sign) for sign in robot.joint_sign]}
     if robot.joint_limits is not None:
         joints = zip(robot.joint_limits, of_joints(mechanism.joint_unit, mechanism.limbs), strict=True)
@@ -398,8 +342,8 @@ def _robot(file: TomlFile, load: Loader | None) -> Robot:
         errors=errors,
         tolerance=tolerance,
         workspace=_workspace(file, said.workspace, mechanism),
-        masses=said.masses or (Masses() if any(link.mass for link in links) else None),
-        transmission=said.transmission,
+        masses=Masses(**dict(said.masses or ())) if said.masses or any(link.mass for link in links) else None,
+        transmission=None if said.transmission is None else Transmission(**dict(said.transmission)),
         joint_sign=np.array(tables["joints"]["sign"], dtype=float),
         joint_limits=None if limits is None else np.array(limits) * _factors(mechanism),
         source=file.path,
@@ -408,7 +352,7 @@ def _robot(file: TomlFile, load: Loader | None) -> Robot:
     )
 
 
-def _workspace(file: TomlFile, said: Workspace | None, mechanism: Machine) -> Workspace | None:
+def _workspace(file: TomlFile, said: _Workspace | None, mechanism: Machine) -> Workspace | None:
     """Return a workspace that suits the mechanism; raises InputError where it has another shape."""
     if said is None:
         return None
@@ -433,7 +377,7 @@ def _workspace(file: TomlFile, said: Workspace | None, mechanism: Machine) -> Wo
             "workspace",
             key,
         )
-    return said.of(mechanism)
+    return Workspace(**dict(said), layers=mechanism.layers)
 
 
 def _of_errors(file: TomlFile, mechanism: Machine) -> Machine:
@@ -463,9 +407,9 @@ class _RobotFile(Table):
     """What does not depend on the mechanism; `_schema` adds geometry, joints, errors and tolerance."""
 
     robot: _Name
-    workspace: Workspace | None = None
-    masses: Masses | None = None
-    transmission: Transmission | None = None
+    workspace: _Workspace | None = None
+    masses: _Masses | None = None
+    transmission: _Transmission | None = None
     limits: dict[str, _Interval] = Field(default_factory=dict)
 
 

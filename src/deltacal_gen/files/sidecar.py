@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import math
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -13,9 +12,7 @@ from pydantic_core import PydanticCustomError
 from deltacal_gen.files.toml import Number, Positive, Table, TomlFile, Vector, toml_text
 from deltacal_gen.instrument import kinds
 from deltacal_gen.instrument.kinds import kind_of
-from deltacal_gen.machine.values import Measurement, Recording
-
-UNKNOWN = math.nan  # what is to be found
+from deltacal_gen.machine.values import UNKNOWN, Camera, Measurement, Recording
 
 
 def _lens(value: object, check: ValidatorFunctionWrapHandler) -> Any:
@@ -30,13 +27,8 @@ LEAST, MOST = 1e-12, 1e9  # noise in any unit: its square has to be a number
 Noise = Annotated[Positive, Field(ge=LEAST, le=MOST)]
 
 
-class Camera(Table):
-    """Pinhole camera: focal lengths and principal point [px], Brown's distortion as in OpenCV, and what it looks at.
-
-    Of a ball the rotation vector from {O'} [deg] and the radius [mm]. Of a board what is left out of the first four, or
-    "unknown", is to be found: NaN here. The camera sits on the platform, on the last link of a chain, or is fixed and
-    looks at a board there.
-    """
+class CameraTable(Table):
+    """The table [measurement.camera], of which a `Camera` is made."""
 
     fx_px: Annotated[Positive, WrapValidator(_lens)] = UNKNOWN
     fy_px: Annotated[Positive, WrapValidator(_lens)] = UNKNOWN
@@ -51,14 +43,19 @@ class Camera(Table):
     ball_radius_mm: Positive = UNKNOWN
     place: Literal["platform", "fixed"] = "platform"
 
-    def said(self) -> dict[str, Any]:
-        """Return the table as a sidecar says it."""
-        given = self.model_dump(exclude_defaults=True)
-        return {
-            key: "unknown" if value != value else value
-            for key, value in given.items()
-            if value == value or key in LENS[4:]  # the others are left out
-        }
+    def value(self) -> Camera:
+        """Return the camera that the table describes."""
+        return Camera(**dict(self))
+
+
+def said_of(camera: Camera) -> dict[str, Any]:
+    """Return a camera as a sidecar says it."""
+    given = {f.name: value for f in dataclasses.fields(camera) if (value := getattr(camera, f.name)) != f.default}
+    return {
+        key: "unknown" if value != value else value
+        for key, value in given.items()
+        if value == value or key in LENS[4:]  # the others are left out
+    }
 
 
 def _kind_name(value: str) -> str:
@@ -84,7 +81,7 @@ class _Measurement(Table):
     zero: Literal["absolute", "incremental"] = "absolute"
     base_point_mm: Vector | None = None
     platform_point_mm: Vector | None = None
-    camera: Camera | None = None
+    camera: CameraTable | None = None
     board_scale: Literal["known", "unknown"] = "known"
     clock: Literal["own", "own, same rate", "own, same for all runs"] | None = None
     clock_offset_s: Number | None = None
@@ -98,7 +95,7 @@ class Sidecar(Table):
     """The tables of a sidecar."""
 
     measurement: _Measurement = _Measurement()
-    camera: Camera | None = None
+    camera: CameraTable | None = None
     contacts: _Contacts = _Contacts()
 
 
@@ -123,8 +120,8 @@ def read_sidecar(path: Path) -> Sidecar:
 
 def measurement_of(sidecar: Sidecar) -> Measurement:
     """Return what a sidecar says of the measurement."""
-    said = Measurement(**dict(sidecar.measurement))
-    return said if sidecar.camera is None else dataclasses.replace(said, camera=sidecar.camera)
+    camera = sidecar.camera or sidecar.measurement.camera
+    return Measurement(**dict(sidecar.measurement) | {"camera": None if camera is None else camera.value()})
 
 
 def sidecar_text(recording: Recording) -> str:
@@ -134,7 +131,7 @@ def sidecar_text(recording: Recording) -> str:
     said.pop("camera", None)
     tables = {"measurement": {"kind": recording.kind, "frame": "unknown"} | said | {"kind": recording.kind}}
     if recording.measurement.camera is not None:
-        tables["measurement.camera"] = recording.measurement.camera.said()
+        tables["measurement.camera"] = said_of(recording.measurement.camera)
     if recording.contact_distances:
         tables["contacts"] = {"distance_mm": recording.contact_distances}
     return toml_text(tables)

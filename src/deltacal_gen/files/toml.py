@@ -6,12 +6,14 @@ import difflib
 import json
 import re
 import tomllib
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any, TypeVar, get_args
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic.fields import FieldInfo
+from pydantic_core import ErrorDetails
 
 from deltacal_gen.errors import InputError
 
@@ -26,6 +28,7 @@ Number = Annotated[float, Field(strict=True, allow_inf_nan=False)]
 NonNegative = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0)]
 Positive = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0)]
 Vector = Annotated[tuple[Number, ...], Field(min_length=3, max_length=3)]
+Raw = Mapping[str, object]  # a table whose keys are not checked yet
 _Schema = TypeVar("_Schema", bound=BaseModel)
 
 
@@ -35,7 +38,7 @@ class TomlFile:
 
     path: Path | None
     text: str
-    data: dict[str, Any]
+    data: dict[str, object]
 
     @classmethod
     def read(cls, path: str | Path) -> TomlFile:
@@ -66,10 +69,10 @@ class TomlFile:
             return schema.model_validate(self.data)
         except ValidationError as error:
             # A misspelt key shows twice, as unknown and as missing: the unknown one can name the right key.
-            flaws: list[Any] = sorted(error.errors(), key=lambda flaw: flaw["type"] != "extra_forbidden")
+            flaws = sorted(error.errors(), key=lambda flaw: flaw["type"] != "extra_forbidden")
             raise self._explained(schema, flaws[0]) from None
 
-    def _explained(self, schema: type[BaseModel], flaw: Mapping[str, Any]) -> InputError:
+    def _explained(self, schema: type[BaseModel], flaw: ErrorDetails) -> InputError:
         keys = [key for key in flaw["loc"] if isinstance(key, str)]
         *tables, key = keys or ["file"]
         where = f" in [{'.'.join(tables)}]" if tables else ""
@@ -88,7 +91,7 @@ class TomlFile:
         return self.error(f"'{key}'{where}{entry} is {found}: {_expected(flaw)}.", "Correct the value.", *keys)
 
 
-def _fields(schema: type[BaseModel], tables: Iterable[str]) -> dict[str, Any]:
+def _fields(schema: type[BaseModel], tables: Iterable[str]) -> dict[str, FieldInfo]:
     """Fields of a nested table of the schema, by key; none of a table that takes any key."""
     for name in tables:
         annotation: Any = schema.model_fields[name].annotation
@@ -99,7 +102,7 @@ def _fields(schema: type[BaseModel], tables: Iterable[str]) -> dict[str, Any]:
     return dict(schema.model_fields)
 
 
-def _expected(flaw: Mapping[str, Any]) -> str:
+def _expected(flaw: ErrorDetails) -> str:
     ctx = flaw.get("ctx", {})
     match flaw["type"]:
         case "float_type":
@@ -152,21 +155,21 @@ def _key_path(dotted: str) -> tuple[str, ...]:
     return tuple(part.strip(" \"'") for part in dotted.split("."))
 
 
-def toml_text(tables: Mapping[str, Any]) -> str:
+def toml_text(tables: Mapping[str, Raw | Sequence[Raw]]) -> str:
     """TOML text of flat tables of strings, numbers and nested lists.
 
     ``"a.b"`` names a table within a table; a list of tables is written as ``[[name]]``.
     """
     each = (
-        (f"[[{name}]]" if isinstance(keys, list) else f"[{name}]", table)
+        (f"[{name}]" if isinstance(keys, Mapping) else f"[[{name}]]", table)
         for name, keys in tables.items()
-        for table in (keys if isinstance(keys, list) else [keys])
+        for table in ([keys] if isinstance(keys, Mapping) else keys)
     )
     blocks = ([head, *(f"{key} = {_toml_value(v)}" for key, v in table.items())] for head, table in each)
     return "\n\n".join("\n".join(block) for block in blocks) + "\n"
 
 
-def _toml_value(value: Any) -> str:
+def _toml_value(value: object) -> str:
     if isinstance(value, str):
         # JSON escapes what TOML wants escaped, but for DEL.
         return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")

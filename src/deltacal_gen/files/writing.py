@@ -13,12 +13,12 @@ import tempfile
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import Any, SupportsFloat
+from typing import SupportsFloat
 
 import numpy as np
 
 from deltacal_gen.errors import InputError
-from deltacal_gen.files.columns import ONE_SETUP, TOOL, distances_path
+from deltacal_gen.files.columns import ONE_SETUP, TOOL, Column, Columns, distances_path
 from deltacal_gen.files.sidecar import sidecar_text
 from deltacal_gen.machine.rotation import to_vector
 from deltacal_gen.machine.values import POSITION, ROTATION, Recording
@@ -77,12 +77,12 @@ def write_blocks(parts: Iterable[Recording], path: str | Path) -> int:
     return done
 
 
-def file_columns(recording: Recording) -> tuple[dict[str, Any], dict[str, Any]]:
+def file_columns(recording: Recording) -> tuple[Columns, Columns]:
     """Columns of the recording and of its distances, in the units of the files."""
     poses = recording.pose.tolist()
     if recording.pairs is not None and len(set(poses)) < len(poses):
         poses = [str(n + 1) for n in range(len(poses))]  # distances name rows by their pose
-    columns: dict[str, Any] = {"pose": poses}
+    columns: Columns = {"pose": poses}
     if recording.targets is not None:
         axes = 3 if "z_mm" in recording.columns or recording.targets[:, 2].any() else 2  # in the plane there is no z
         columns |= zip(POSITION[:axes], recording.targets.T[:axes], strict=True)
@@ -110,7 +110,7 @@ def file_columns(recording: Recording) -> tuple[dict[str, Any], dict[str, Any]]:
     return columns, {"pose_a": a, "pose_b": b, "distance_mm": recording.pair_measured}
 
 
-def csv_text(columns: Mapping[str, Any]) -> str:
+def csv_text(columns: Mapping[str, Column]) -> str:
     """CSV text of columns of one length: texts as they are, numbers with all their digits, nan as a blank cell."""
     text = io.StringIO()
     plain, quoted = csv.writer(text, lineterminator="\n"), csv.writer(text, lineterminator="\n", quoting=csv.QUOTE_ALL)

@@ -7,10 +7,10 @@ from collections.abc import Sequence
 import numpy as np
 
 from deltacal_gen.errors import InputError, NoSolutionError
-from deltacal_gen.files.robot import Robot, Workspace
-from deltacal_gen.instrument.instrument import align
+from deltacal_gen.files.robot import Robot
 from deltacal_gen.machine.registry import SOLVED, Array, mechanism_of
-from deltacal_gen.machine.rotation import about_z, from_vector, swept
+from deltacal_gen.machine.rotation import about_z, align, from_vector, swept
+from deltacal_gen.machine.values import Workspace
 from deltacal_gen.units import DEG
 
 TURN = 10.0  # deg: as far as a platform turns on command either way whose workspace does not say

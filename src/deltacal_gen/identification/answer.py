@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Literal
+from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 
-from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.prior import BROAD
 from deltacal_gen.files.robot import kept_robot
 from deltacal_gen.identification import identifiability
@@ -15,11 +16,13 @@ from deltacal_gen.identification.accuracy import distance_error, largest, volume
 from deltacal_gen.identification.checks import copied
 from deltacal_gen.identification.drawing import doubts
 from deltacal_gen.identification.identifiability import Combination
-from deltacal_gen.identification.noise import coordinate_sigma, freedom
+from deltacal_gen.identification.noise import Noise, coordinate_sigma, freedom
 from deltacal_gen.identification.prior import share_of_data
 from deltacal_gen.identification.unknowns import unknowns_of
 from deltacal_gen.machine.registry import Array, Machine
+from deltacal_gen.machine.values import Robot
 from deltacal_gen.physics.terms import kept_term
+from deltacal_gen.results.parts import Missing, Uncertainty
 from deltacal_gen.results.result import (
     Accuracy,
     BaseFrame,
@@ -29,16 +32,77 @@ from deltacal_gen.results.result import (
     Parameter,
     Read,
     Regularisation,
+    Remedy,
     Result,
     Stage,
     Status,
+    UncertaintyMap,
 )
 from deltacal_gen.units import DEG, file_unit, to_internal
 
-if TYPE_CHECKING:
-    from deltacal_gen.identification.identification import Identification
-
 RESOLVED = 0.5  # of a parameter's variance that comes from directions the data know better than the prior
+
+
+@dataclass(frozen=True)
+class Identification:
+    """What a recording says of a robot.
+
+    Attributes
+    ----------
+    model : str
+    fit : Fit
+        Of all readings.
+    rough : Fit or None
+        Of the encoder offsets alone.
+    before_rms : float
+        RMS of the residuals of the robot file's machine, the instrument fitted [mm].
+    heldout_rms : float
+        RMS of readings in folds that took no part in the fit [mm].
+    observability : Observability
+        Of the identification matrix at the robot file's machine, columns in ordinary errors.
+    unseen, weak : list of Combination
+        What no reading sees, and what the readings see less well than a broad prior.
+    base : list of BaseParameter
+        What the readings determine, parameter by parameter with those that act through it.
+    remedies : tuple of Remedy
+        Extra measurements and how many of the free directions each pins.
+    noise : Noise
+        Of the readings, and where it is known from.
+    prior_given : tuple of bool
+        Of each parameter: whether the robot file's ``[tolerance]`` names it.
+    robot : Robot
+        The calibrated machine.
+    in_file : (n_p,) array
+        Source errors of the robot file, from which those found count.
+    not_held : tuple of Missing
+        Effects that belong to the session they were found in, and what this one lacks for them.
+    map : UncertaintyMap or None
+        Over the workspace, where the robot has one.
+    uncertainty : Uncertainty
+        Of parameters and instrument, errors that the model leaves out included.
+    """
+
+    model: str
+    fit: Fit
+    rough: Fit | None
+    before_rms: float
+    heldout_rms: float
+    observability: identifiability.Observability
+    unseen: list[Combination]
+    weak: list[Combination]
+    base: list[identifiability.BaseParameter]
+    remedies: tuple[Remedy, ...]
+    noise: Noise
+    prior_given: tuple[bool, ...]
+    robot: Robot
+    in_file: Array
+    not_held: tuple[Missing, ...]
+    map: UncertaintyMap | None
+    uncertainty: Uncertainty
+
+    def answer(self) -> Result:
+        """Return the same as users read it: RESULT.json."""
+        return result_of(self)
 
 
 # -------------------------------------------------------------------------------------------------- RESULT.json

@@ -12,7 +12,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from deltacal_gen.errors import InputError, NoSolutionError
-from deltacal_gen.estimation.fit import Fit, fit, held_out_errors
+from deltacal_gen.estimation.fit import fit, held_out_errors
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.residuals import lengths
 from deltacal_gen.estimation.solvers import Prior

@@ -9,7 +9,8 @@ from collections.abc import Iterator
 import numpy as np
 
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
-from deltacal_gen.estimation.fit import SPARE_READINGS, Fit, rough
+from deltacal_gen.estimation.fit import SPARE_READINGS, rough
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.residuals import lengths
 from deltacal_gen.files.robot import robot_size

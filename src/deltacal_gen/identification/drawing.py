@@ -7,7 +7,8 @@ import dataclasses
 import numpy as np
 
 from deltacal_gen.errors import NoSolutionError
-from deltacal_gen.estimation.fit import Fit, fit
+from deltacal_gen.estimation.fit import fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.prior import with_prior
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.files.robot import robot_size

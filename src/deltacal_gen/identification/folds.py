@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from deltacal_gen.instrument.readings import Readings
+from deltacal_gen.instrument.kind import Readings
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.motion import at_rate, runs_of
 

@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 
 from deltacal_gen.errors import InputError, UsageError
-from deltacal_gen.estimation.fit import Fit, fit, held_out, rough
+from deltacal_gen.estimation.fit import fit, held_out, rough
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.prior import with_prior
 from deltacal_gen.estimation.problem import Problem, pose_problem
 from deltacal_gen.estimation.residuals import lengths, rms
@@ -22,13 +22,13 @@ from deltacal_gen.estimation.solvers import TSVD, LeastSquares, Prior, Ridge, So
 from deltacal_gen.files.checks import check_units
 from deltacal_gen.files.robot import Robot, for_model
 from deltacal_gen.identification import carried, identifiability
-from deltacal_gen.identification.answer import result_of
+from deltacal_gen.identification.answer import Identification
 from deltacal_gen.identification.checks import check_rows, chosen_model, distinct, plausible
 from deltacal_gen.identification.drawing import as_read
 from deltacal_gen.identification.folds import FOLDS, folds
 from deltacal_gen.identification.identifiability import Combination
 from deltacal_gen.identification.knowledge import uncertainty_of
-from deltacal_gen.identification.noise import Noise, noise
+from deltacal_gen.identification.noise import noise
 from deltacal_gen.identification.remedies import printed, remedies
 from deltacal_gen.identification.together import together
 from deltacal_gen.identification.uncertainty import uncertainty_map
@@ -37,72 +37,10 @@ from deltacal_gen.machine.differences import between
 from deltacal_gen.machine.registry import Array, Machine, mechanism_of
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.terms import Term
-from deltacal_gen.results.parts import Missing, Uncertainty
-from deltacal_gen.results.result import Remedy, Result, UncertaintyMap
+from deltacal_gen.results.parts import Missing
+from deltacal_gen.results.result import Remedy
 
 Progress = Callable[[str], None]
-
-
-@dataclass(frozen=True)
-class Identification:
-    """What a recording says of a robot.
-
-    Attributes
-    ----------
-    model : str
-    fit : Fit
-        Of all readings.
-    rough : Fit or None
-        Of the encoder offsets alone.
-    before_rms : float
-        RMS of the residuals of the robot file's machine, the instrument fitted [mm].
-    heldout_rms : float
-        RMS of readings in folds that took no part in the fit [mm].
-    observability : Observability
-        Of the identification matrix at the robot file's machine, columns in ordinary errors.
-    unseen, weak : list of Combination
-        What no reading sees, and what the readings see less well than a broad prior.
-    base : list of BaseParameter
-        What the readings determine, parameter by parameter with those that act through it.
-    remedies : tuple of Remedy
-        Extra measurements and how many of the free directions each pins.
-    noise : Noise
-        Of the readings, and where it is known from.
-    prior_given : tuple of bool
-        Of each parameter: whether the robot file's ``[tolerance]`` names it.
-    robot : Robot
-        The calibrated machine.
-    in_file : (n_p,) array
-        Source errors of the robot file, from which those found count.
-    not_held : tuple of Missing
-        Effects that belong to the session they were found in, and what this one lacks for them.
-    map : UncertaintyMap or None
-        Over the workspace, where the robot has one.
-    uncertainty : Uncertainty
-        Of parameters and instrument, errors that the model leaves out included.
-    """
-
-    model: str
-    fit: Fit
-    rough: Fit | None
-    before_rms: float
-    heldout_rms: float
-    observability: identifiability.Observability
-    unseen: list[Combination]
-    weak: list[Combination]
-    base: list[identifiability.BaseParameter]
-    remedies: tuple[Remedy, ...]
-    noise: Noise
-    prior_given: tuple[bool, ...]
-    robot: Robot
-    in_file: Array
-    not_held: tuple[Missing, ...]
-    map: UncertaintyMap | None
-    uncertainty: Uncertainty
-
-    def answer(self) -> Result:
-        """Return the same as users read it: RESULT.json."""
-        return result_of(self)
 
 
 @by_recording("identify")

@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.system import system
 from deltacal_gen.identification.noise import Noise, freedom, lack_of_fit
 from deltacal_gen.machine.registry import Array

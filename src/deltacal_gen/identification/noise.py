@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.residuals import lengths
 from deltacal_gen.identification.repeats import ENOUGH, repeats
 from deltacal_gen.identification.rounding import rounding_of

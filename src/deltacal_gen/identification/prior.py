@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.prior import unsaid
 from deltacal_gen.estimation.system import system
 from deltacal_gen.files.robot import Robot

@@ -6,7 +6,7 @@ import dataclasses
 
 import numpy as np
 
-from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.prior import with_prior
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.instrument.kinds import PAIRS, POINTS, kind_of

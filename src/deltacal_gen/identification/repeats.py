@@ -11,9 +11,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.residuals import Repeats, lengths
-from deltacal_gen.instrument.readings import Readings
+from deltacal_gen.instrument.kind import Readings
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.values import Recording, numbered
 from deltacal_gen.physics.motion import with_motion

@@ -7,7 +7,8 @@ import dataclasses
 import numpy as np
 
 from deltacal_gen.estimation.directions import price_of, shape_of
-from deltacal_gen.estimation.fit import Fit, fit, held_out
+from deltacal_gen.estimation.fit import fit, held_out
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.residuals import GROSS, HUBER, Repeats
 from deltacal_gen.estimation.series import Series, Taken
 from deltacal_gen.estimation.solvers import Prior

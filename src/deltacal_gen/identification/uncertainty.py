@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.identification.accuracy import check_joints, without_motion
 from deltacal_gen.identification.knowledge import factor

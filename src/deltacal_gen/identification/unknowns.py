@@ -13,9 +13,9 @@ from functools import cached_property
 
 import numpy as np
 
-from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.prior import BROAD
-from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.instrument.kind import Instrument
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.results.diagnosis import NextMeasurement
 from deltacal_gen.results.result import OpenCombination, Parameter, Remedy, Status

@@ -19,8 +19,7 @@ from pathlib import Path
 import numpy as np
 
 from deltacal_gen.errors import InputError
-from deltacal_gen.instrument.instrument import Instrument
-from deltacal_gen.instrument.readings import Readings
+from deltacal_gen.instrument.kind import Instrument, Readings
 from deltacal_gen.machine.registry import Array
 
 SAMPLES, SEED = 60, 1330  # of four points, by which an image's homography is found though some of its points are wrong

@@ -4,283 +4,291 @@ Its formulas are derived (``derive/measurements/KIND.py``): reading, derivatives
 and with them the names of columns and unknowns. `Kind` makes of them all that a reading of one row in a column of its
 own needs, so that such a kind is that one file. A kind that is more than that (a frame to be aligned, readings between
 two rows, a camera) says what differs in ``instrument/kinds/KIND.py``. Nobody else compares names of kinds.
+
+A kind, the instruments that read so and what they read each know the other two: they are one module.
 """
 
 from __future__ import annotations
 
 import dataclasses
-import importlib
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from pathlib import Path
-from types import ModuleType
-from typing import ClassVar
+from functools import cached_property
 
 import numpy as np
 
-from deltacal_gen.instrument.instrument import Instrument
-from deltacal_gen.instrument.readings import ALL, Readings
+from deltacal_gen.errors import InputError
+from deltacal_gen.instrument.facts import Facts
 from deltacal_gen.machine.registry import Array, Machine
 from deltacal_gen.machine.rotation import to_vector
 from deltacal_gen.machine.values import Measurement, Recording, Robot
+from deltacal_gen.results.parts import InstrumentState
 from deltacal_gen.results.result import TouchedPoint
+from deltacal_gen.units import DEG, file_unit
 
 STARTS = 20  # steps of the instrument alone, from where its file lets it stand
 STARTED = 1e-12  # of a step's square: smaller ones change nothing
+ALL = (0, 1, 2, 3, 4, 5)  # coordinates of a body: position, rotation
 
 Frame = tuple[Array, Array]  # rotation vector [rad] and origin [mm] of {O} in the instrument's frame
 
 
-@dataclass(frozen=True)
-class Look:
-    """Readings of a kind by which a machine's models are examined.
+@dataclass(frozen=True, eq=False)
+class Readings:
+    """What was measured, reading by reading; a reading belongs to one row of the recording, a distance to two.
 
     Attributes
     ----------
-    words : str
-        What is read.
-    points : int
-        Reference points on the platform.
-    motions : str
-        What they leave open of the machine's place, as the derivation calls it; "" where it has no name for it.
-    frame : {"unknown", "robot"}
-    touches : bool
-        Whether poses are looked at that bring the machine to the same fixed points.
+    kind : Kind
+        As the recording says, or what several kinds read together.
+    rows : (R, 1) or (R, 2) int array
+        Rows of the recording; among readings of several kinds, one of a single row names it twice.
+    values : (R, k) array
+        Lengths [mm], or as the kind says [rad, px]. NaN along an axis that the machine does not have and, among
+        readings of several kinds, in the columns of the others.
+    rotations : (R, 3, 3) array or None
+        Measured rotations; NaN where only the position was read.
+    setup : (R,) int array
+        Set-up of the instrument; of contacts, the point that is touched.
+    group : (R,) int array
+        Readings of one group stay together when readings are held out: repeats of a pose, of a pair of poses.
+    line : (R,) int array
+        Line in the file.
+    made : bool
+        Distances made of measured positions, which share their noise.
+    known : (R, k) array or None
+        What the recording tells of each reading beside what was read: where on a board its point lies [mm].
+    components : tuple of int
+        Which coordinates of a body (position, rotation) a position or pose holds: in the plane, not all.
     """
 
-    words: str
-    points: int = 1
-    motions: str = ""
-    frame: str = "unknown"
-    touches: bool = False
+    kind: Kind
+    rows: np.ndarray
+    values: Array
+    rotations: Array | None
+    setup: np.ndarray
+    group: np.ndarray
+    line: np.ndarray
+    made: bool = False
+    known: Array | None = None
+    components: tuple[int, ...] = ALL
+
+    def __len__(self) -> int:
+        return len(self.values)
+
+    @property
+    def n_scalars(self) -> int:
+        """Number of independent scalar readings: distances made of positions hold no more than those."""
+        if self.made:
+            return min(len(self.values), 3 * len(self.used) - 6)
+        turns = sum(c >= 3 for c in self.components)
+        turned = 0 if self.rotations is None else turns * int(np.isfinite(self.rotations[:, 0, 0]).sum())
+        return int(np.isfinite(self.values).sum()) + turned
+
+    @cached_property
+    def used(self) -> np.ndarray:
+        """Rows of the recording to which readings belong, in their order."""
+        return np.flatnonzero(np.bincount(self.rows.ravel()))
+
+    def ends(self, values: Array) -> tuple[Array, ...]:
+        """Return what holds at each end of the readings (R, ...) of values (N, ...) of all rows; in order no copy."""
+        every = np.arange(len(values))
+        return tuple(values if np.array_equal(rows, every) else values[rows] for rows in self.rows.T)
+
+    def subset(self, chosen: np.ndarray) -> Readings:
+        """Return the readings of an index or mask."""
+        return dataclasses.replace(
+            self,
+            rows=self.rows[chosen],
+            values=self.values[chosen],
+            rotations=None if self.rotations is None else self.rotations[chosen],
+            setup=self.setup[chosen],
+            group=self.group[chosen],
+            line=self.line[chosen],
+            known=None if self.known is None else self.known[chosen],
+        )
+
+    def some(self, recording: Recording) -> Readings:
+        """Return the readings; raise an InputError where there are none."""
+        if len(self) == 0:
+            raise InputError(
+                "every measured cell is blank, so there is nothing to fit.",
+                "Fill the measured columns, or use predict to compute them.",
+                file=recording.path,
+            )
+        return self
 
 
-@dataclass(frozen=True)
-class Kind:
-    """A kind of measurement: what of it stands in files, what is unknown of its instrument, what it can tell.
+@dataclass(frozen=True, eq=False)
+class Instrument:
+    """State of the instrument: one row of `state` per set-up, in the order of the generated `given`.
 
     Attributes
     ----------
-    name : str
-        As recordings and results call it; also of the generated module, unless `formulas` names another.
-    positions : bool
-        Whether the first values are coordinates of the measured point in a frame of the instrument.
-    rotations : bool
-        Whether rotations are read too; their noise is another than that of lengths.
-    in_blocks : bool
-        Whether a recording can be identified block by block: each row for itself, one noise.
-    anew : bool
-        Whether what is unknown of the instrument is unknown in every session, and found by its readings together.
-    stays : bool
-        Whether the instrument is part of the machine, so that set-ups make no difference.
-    apart : bool
-        Whether each column is a reading of its own, of which some may be blank, or not be there.
-    in_motion : bool
-        Whether rows may be samples of a motion, which tells how joints came and how fast; whole runs are then held out.
-    follows : bool
-        Whether the instrument's unknowns follow the machine along arcs, so that they are fitted again after each step.
-    picked : bool
-        Whether readings are points found in images one by one, some of them wrongly.
-    probed : bool
-        Whether a machine's own firmware takes such readings: a few, of roughly known noise.
-    usual_noise : float
-        [mm] of ordinary instruments, by which a few readings are guarded beside those of another kind.
-    second_point, more_poses, position_beside, rotation_beside, distances_beside : bool
-        Which further measurements are worth considering: of a second reference point, of one more pose, of the
-        position itself, of the platform's rotation, of distances on a printed object.
-    whereabouts : str
-        What is unknown of the instrument's place, in words: it takes up what machine and instrument do alike.
+    kind : Kind
+    state : (S, g) array
+    free : tuple of int
+        Which unknowns of the kind are estimated; none of them in a frame that is known.
+    scale : float
+        What one unit of the reading is at the platform [mm]: of images, a pixel at the ball's distance. Residuals and
+        derivatives come multiplied by it.
+    home : tuple of float
+        From where positions count [mm], in {O}.
+    ties : tuple of (int, int, float)
+        Known distances [mm] between the points of two rows of the state: they leave so many unknowns fewer.
     """
 
-    name: str
-
-    formulas: ClassVar[str] = ""
-    whereabouts: ClassVar[str] = "where the instrument stands"
-    aliases: ClassVar[tuple[str, ...]] = ()  # what sidecars may call it too
-    positions: ClassVar[bool] = False
-    in_blocks: ClassVar[bool] = False
-    anew: ClassVar[bool] = False
-    stays: ClassVar[bool] = False
-    apart: ClassVar[bool] = False
-    in_motion: ClassVar[bool] = False
-    follows: ClassVar[bool] = False
-    picked: ClassVar[bool] = False
-    probed: ClassVar[bool] = False
-    usual_noise: ClassVar[float] = 0.1  # a caliper's
-    second_point: ClassVar[bool] = False
-    more_poses: ClassVar[bool] = False
-    position_beside: ClassVar[bool] = False
-    rotation_beside: ClassVar[bool] = True
-    distances_beside: ClassVar[bool] = False
-    mount: ClassVar[tuple[str, ...]] = ()  # unknowns that may be source errors of the machine
-    reported: ClassVar[Mapping[str, int]] = {}  # unknowns that answers give by name, and their places in the state
-    confounds: ClassVar[Mapping[str, tuple[str, str]]] = {}  # of these: what may stand for one, what tells it from it
-    sums: ClassVar[Mapping[str, tuple[str, str]]] = {}  # of these: what of the machine is in one, what tells it from it
-    aims: ClassVar[str] = ""  # where a plan brings the machine: its tip to "touch" a board, a camera on it to "look"
-    under: ClassVar[str] = ""  # another kind's name that sidecars use for this one, whose columns then say which
-    filled: ClassVar[Mapping[str, float]] = {}  # columns that may be absent or blank, and what they then hold
+    kind: Kind
+    state: Array
+    free: tuple[int, ...]
+    scale: float = 1.0
+    home: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    ties: tuple[tuple[int, int, float], ...] = ()
 
     @property
-    def words(self) -> str:
-        """The name as sidecars write it."""
-        return next((a for a in self.aliases if a.replace(" ", "_") == self.name), self.name)
-
-    # ------------------------------------------------------------------------------------------------ as it is derived
-
-    @property
-    def kernels(self) -> ModuleType:
-        """The generated module."""
-        return importlib.import_module(f"deltacal_kernels.measurements.{self.formulas or self.name}")
-
-    @property
-    def meaning(self) -> str:
-        """What is read, in words."""
-        meaning: str = self.kernels.MEANING
-        return meaning
-
-    @property
-    def pairs(self) -> bool:
-        """Whether a reading lies between two rows."""
-        return bool(self.kernels.PLATFORMS == 2)
-
-    @property
-    def sees_joints(self) -> bool:
-        """Whether joints are read, not the platform: `x` then stands for joints (N, n_q); geometry plays no part."""
-        return bool(getattr(self.kernels, "JOINT", False))
-
-    @property
-    def known(self) -> tuple[str, ...]:
-        """Columns that say of each reading what it is of."""
-        names: tuple[str, ...] = getattr(self.kernels, "KNOWN", ())
-        return names
-
-    @property
-    def unknowns(self) -> tuple[tuple[str, str, float, str], ...]:
-        """Name, unit, ordinary size and meaning of each unknown of the instrument."""
-        found: tuple[tuple[str, str, float, str], ...] = self.kernels.UNKNOWN
-        return found
+    def n_unknown(self) -> int:
+        """Number of unknowns, all set-ups together."""
+        return len(self.free) * len(self.state) - len(self.ties)
 
     @property
     def unknown(self) -> tuple[tuple[str, str], ...]:
-        """Name and unit of each unknown of the instrument."""
-        return tuple((name, unit) for name, unit, *_ in self.unknowns)
+        """Name and unit of each unknown, set-up by set-up."""
+        named = [self.kind.unknown[j] for j in self.free]
+        several = len(self.state) > 1 or self.kind.stays
+        return tuple(
+            (f"{name}_{s + 1}" if several else name, self.kind.unit_of(unit, row))
+            for s, row in enumerate(self.state)
+            for name, unit in named
+        )
 
-    @property
-    def state_size(self) -> int:
-        """How many numbers say where an instrument of this kind stands, of each set-up."""
-        return int(self.kernels.STATE)
+    def ends(self, found: Readings, x: Array) -> tuple[Array, ...]:
+        """Return what readings belong to, one array per end: poses (R, 12), positions counted from the home.
 
-    @property
-    def typical(self) -> Array:
-        """By how much an ordinary instrument is mounted off, by unknown [mm, rad]."""
-        return np.array([size for _, _, size, _ in self.unknowns], dtype=float)
-
-    @property
-    def targets(self) -> Mapping[str, int]:
-        """Columns of values by what effects on the reading move."""
-        targets: Mapping[str, int] = self.kernels.TARGETS
-        return targets
-
-    @property
-    def unit(self) -> str:
-        """Unit of the values in files: mm, deg or px."""
-        unit: str = self.kernels.COLUMNS[0].rpartition("_")[2]
-        return unit
-
-    @property
-    def scale(self) -> float:
-        """What one unit of a value inside (mm, rad, px) is at the platform [mm], as far as the file can say."""
-        scale: float = self.kernels.SCALE
-        return scale
-
-    @property
-    def turned(self) -> tuple[int, ...]:
-        """Which columns of a residual are a rotation."""
-        rows: tuple[int, ...] = self.kernels.ROTATION_ROWS
-        return rows
-
-    @property
-    def rotations(self) -> bool:
-        """Whether rotations are read beside the values."""
-        return bool(self.turned)
-
-    @property
-    def width(self) -> int:
-        """Number of values of a reading, rotations not counted."""
-        return int(self.kernels.ROWS) - len(self.turned)
-
-    @property
-    def scalars(self) -> int:
-        """Number of independent scalars of a reading."""
-        return int(self.kernels.ROWS)
-
-    @property
-    def usual_noises(self) -> tuple[float, ...]:
-        """Usual noise of each group [mm], where a few readings of one kind could be met exactly at others' cost."""
-        return ()
-
-    @property
-    def per_pose(self) -> int:
-        """How many scalars the readings of one pose are worth, however many they are."""
-        return self.scalars
-
-    def wanted(self, said: Measurement) -> tuple[int, ...]:
-        """Return which unknowns a sidecar leaves to be found, seen or not."""
-        return () if said.frame == "robot" else tuple(range(len(self.unknown)))
-
-    def unit_of(self, unit: str, state: Array) -> str:
-        """Return the unit inside of an unknown that the derivation calls `unit`, of an instrument in a state (g,)."""
-        return unit
-
-    @property
-    def noises(self) -> int:
-        """Number of noises that a reading's columns have."""
-        return 1 + self.rotations
-
-    def noise_groups(self, columns: int) -> np.ndarray:
-        """Return which noise each of so many columns of a residual has, counted from 0: rotations have their own."""
-        return np.isin(np.arange(columns), self.turned).astype(int)
-
-    # ------------------------------------------------------------------------------------------------------- in files
-
-    def columns(self, mechanism: Machine) -> tuple[str, ...]:
-        """Return the columns of a recording, unit last; those that stand beside rows of joints hold one value per row.
-
-        Readings between two rows have theirs in the file of pairs.
+        Of readings of joints, how far the joint has moved (R, 1).
         """
-        columns: tuple[str, ...] = self.kernels.COLUMNS
-        return columns
+        if any(self.home):
+            x = np.hstack([x[:, :3] - self.home, x[:, 3:]])
+        ends = found.ends(x)
+        return self.kind.looked_at(found, ends)
 
-    def read_in(self, columns: tuple[str, ...], given: Collection[str]) -> tuple[str, ...]:
-        """Return the columns in which a recording holds readings, of all that this kind has and those given."""
-        return columns
+    def given(self, found: Readings) -> Array:
+        """Return what the kernels are given of each reading (R, g): the instrument's state, and what is known of it."""
+        state = self.state[found.setup]
+        return state if found.known is None else np.hstack([state, found.known])
 
-    @property
-    def reserved(self) -> tuple[str, ...]:
-        """Every column that such readings may stand in, on whatever machine."""
-        columns: tuple[str, ...] = self.kernels.COLUMNS
-        return columns
+    def predict(self, found: Readings, x: Array) -> tuple[Array, Array | None]:
+        """Return predicted values (R, k) and, where rotations are read, these (R, 3, 3), at platforms x (N, 12)."""
+        return self.kind.predict(self, found, x)
 
-    @property
-    def numbers(self) -> bool:
-        """Whether every row of a recording holds the numbers of a reading."""
-        return not self.pairs
+    def residual(self, found: Readings, x: Array) -> Array:
+        """Return measured minus predicted, (R, k): mm, and the rotation vector between the rotations in rad."""
+        values, rotations = self.predict(found, x)
+        r = self.scale * (found.values - values)
+        if rotations is None or found.rotations is None:
+            return r
+        turned = np.full((len(found), 3), np.nan)
+        read = np.isfinite(found.rotations[:, 0, 0])
+        gap = found.rotations[read] @ np.swapaxes(rotations[read], 1, 2)
+        turned[read] = to_vector(gap)
+        turned[:, [c - 3 for c in range(3, 6) if c not in found.components]] = np.nan
+        return np.hstack([r, turned])
 
-    def check(
-        self, said: Measurement, ties: Sequence[tuple[str, str, float]], cells: Mapping[str, Sequence[str]], file: Path
-    ) -> None:
-        """Raise an InputError where a sidecar `file` does not say what this kind needs.
+    def by_unknown(self, found: Readings, x: Array, chosen: Sequence[int]) -> Array:
+        """Return the derivatives (R, k, chosen) of the readings by unknowns of the kind, free or not."""
+        derivatives: Array = self.scale * self.kind.kernels.by_unknown(*self.ends(found, x), self.given(found))
+        return derivatives[:, :, list(chosen)]
 
-        `ties` are known distances between fixed points, `cells` those of the recording, as text, by column.
+    def linearise(self, found: Readings, x: Array, dx: Array) -> tuple[Array, Array]:
+        """Return the derivatives of the readings by parameters and by the instrument's unknowns.
+
+        Parameters
+        ----------
+        dx : (N, 6, n) array
+            Derivatives of the platform coordinates by n parameters; (N, n_q, n) of joints, where these are read.
+
+        Returns
+        -------
+        J_p : (R, k, n) array
+        J_m : (R, k, n_unknown) array
         """
+        J_p = self.kind.by_platform(self, found, x, dx)
+        J_m = np.zeros((*J_p.shape[:2], len(self.state), len(self.free)))
+        if self.free:
+            J_m[np.arange(len(found)), :, found.setup] = self.by_unknown(found, x, self.free)
+        J_m = J_m.reshape(*J_p.shape[:2], -1)
+        return J_p, J_m @ self.kind.loose(self) if self.ties else J_m
 
-    def spreads(self, recording: Recording, joints: Array) -> Iterator[tuple[str, float, float]]:
-        """Yield, where it tells a wrong unit: column, spread of its readings [mm], joint motion (N, n_q) meanwhile."""
-        return iter(())
+    def add_carried(self, J: Array, mechanism: Machine, names: Sequence[str], found: Readings, x: Array) -> None:
+        """Add to derivatives (R, k, n) by source errors `names` what those of the instrument's own mount do."""
+        own = {
+            u: names.index(name)
+            for u, p in self.kind.carried(mechanism).items()
+            if (name := mechanism.parameters[p].name) in names
+        }
+        if own:
+            J[:, :, list(own.values())] += self.by_unknown(found, x, tuple(own))
 
-    def zero_at_home(self, recording: Recording) -> Array | None:
-        """Return the measured cells (N, k) that read zero where the machine is at home; None where none need be."""
-        return None
+    def mounted(self, mechanism: Machine, parameters: Array) -> Instrument:
+        """Return the instrument where the machine's own parameters put it: (n_p,), or (S, n_p) by set-up."""
+        own = self.kind.carried(mechanism)
+        if not own:
+            return self
+        step = np.zeros((len(self.state), len(self.kind.unknown)))
+        step[:, list(own)] = parameters[..., list(own.values())]
+        return dataclasses.replace(self, state=self.kind.kernels.stepped(self.state, step))
+
+    def stepped(self, increment: Array) -> Instrument:
+        """Return the instrument after an increment (n_unknown,) of its unknowns."""
+        if not self.n_unknown:
+            return self
+        if self.ties:
+            increment = self.kind.loose(self) @ increment
+        step = np.zeros((len(self.state), len(self.kind.unknown)))
+        step[:, list(self.free)] = np.asarray(increment).reshape(len(self.state), -1)
+        moved = dataclasses.replace(self, state=self.kind.kernels.stepped(self.state, step))
+        return self.kind.tied(moved) if self.ties else moved
+
+    def of_points(self) -> Instrument | None:
+        """Return the instrument as it reads positions alone; None where it reads none."""
+        return self.kind.of_points(self)
+
+    def frames(self) -> list[tuple[Array, Array]]:
+        """Return per set-up the rotation vector [rad] and the origin [mm] of {O} in the instrument's frame."""
+        return self.kind.frames(self)
+
+    @property
+    def reported(self) -> dict[str, str]:
+        """Unknowns that answers give by name, free or not, and their units in files."""
+        each = dataclasses.replace(self, free=tuple(range(len(self.kind.unknown))))
+        units = (("px" if name.endswith("_px") else file_unit(unit)) for name, unit in each.unknown)
+        kinds = [self.kind.unknown[j][0] for _ in self.state for j in each.free]
+        named = zip(each.unknown, units, kinds, strict=True)
+        return {name: unit for (name, _), unit, own in named if own in self.kind.reported}
+
+    def unit(self, columns: Sequence[str]) -> tuple[str, float] | None:
+        """Return the unit of readings in columns of a file and what it is at the platform [mm]; None of lengths."""
+        names = {name.rpartition("_")[2] for name in columns}
+        name = "mm" if "mm" in names or not names else min(names)
+        return None if name == "mm" else (name, self.scale * (DEG if name == "deg" else 1.0))
+
+    def kept(self, setups: Sequence[str], zero: str, columns: Sequence[str] = ()) -> InstrumentState:
+        """Return what an answer keeps of it, and of the recording that it was found by; see `kinds.instrument_of`."""
+        return InstrumentState(
+            kind=self.kind.name,
+            state=self.state,
+            free=self.free,
+            scale=self.scale,
+            home=self.home,
+            ties=self.ties,
+            setups=tuple(setups),
+            zero=zero,
+            columns=tuple(columns) if len(columns) == 1 < self.kind.width else None,
+        )
+
+
+@dataclass(frozen=True)
+class Kind(Facts):
+    """A kind of measurement with what it does: readings of a recording, an instrument that fits them, predictions."""
 
     # ------------------------------------------------------------------------------------------------------- readings
 
@@ -381,13 +389,6 @@ class Kind:
         """Return fixed points that the readings have found, by name, in {O}; empty where there are none."""
         return ()
 
-    def carried(self, mechanism: Machine) -> dict[int, int]:
-        """Return which unknowns are source errors of the machine: {unknown: parameter}.
-
-        A measuring mechanism that belongs to a machine has its errors in the machine's table (Mei 2018, eq. 17).
-        """
-        return {u: mechanism.index[name] for u, name in enumerate(self.mount) if name in mechanism.index}
-
     def first(self) -> Instrument:
         """Return the instrument in the state that its file gives, all its unknowns free."""
         state = np.array(self.kernels.START if self.unknown else (), dtype=float)
@@ -445,40 +446,7 @@ class Kind:
         """Return a result's instrument as one of this kind for another recording; None where it cannot be."""
         return instrument if instrument.kind == self else None
 
-    # ----------------------------------------------------------------------------------------------- what is said of it
-
-    def measured_point(self, said: Measurement) -> tuple[float, ...] | None:
-        """Return which point of the platform is measured where no row says it; None for the robot's own."""
-        return None
-
-    def sigma(self, said: Measurement, scale: float) -> float | None:
-        """Return the noise of a value at the platform [mm] where the sidecar says it; `scale` as of an instrument."""
-        if said.sigma_mm is not None or self.unit == "mm":
-            return said.sigma_mm
-        own = said.sigma_rad if self.unit == "deg" else said.sigma_px
-        return None if own is None else own * scale
-
-    def in_differences(self, said: Measurement) -> bool:
-        """Tell whether the last unknown falls out of differences of adjacent readings, which the papers use."""
-        return False
-
     # ------------------------------------------------------------------------------------------------------- examined
-
-    @property
-    def planned(self) -> str:
-        """What poses are planned for, in words; "" where they cannot be."""
-        return f"{self.meaning}; what is unknown of the instrument is projected out"
-
-    def laid_out(self, recording: Recording, x: Array, mechanism: Machine) -> Recording:
-        """Return the rows of a plan, at poses x (N, 12), as they are to be measured: one for each reading."""
-        return recording
-
-    def looks(self, mechanism: Machine, points: int, stands: int) -> tuple[Look, ...]:
-        """Return the readings of a machine that are examined, with one or several reference points.
-
-        `stands` is in how many ways an open chain touches a fixed point.
-        """
-        return (Look(self.meaning),)
 
     def imagined(self, x: Array, sets: int, mechanism: Machine, said: Measurement) -> tuple[Readings, Instrument]:
         """Return the readings that an instrument would take at poses, and the instrument with its unknowns free.

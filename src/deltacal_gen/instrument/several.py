@@ -8,9 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from deltacal_gen.instrument.instrument import Instrument
-from deltacal_gen.instrument.kind import Kind
-from deltacal_gen.instrument.readings import Readings
+from deltacal_gen.instrument.kind import Instrument, Kind, Readings
 from deltacal_gen.machine.registry import Array, Machine
 from deltacal_gen.machine.values import Measurement, Recording
 

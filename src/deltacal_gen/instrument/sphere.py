@@ -15,8 +15,8 @@ import numpy as np
 from deltacal_kernels import images
 
 if TYPE_CHECKING:
-    from deltacal_gen.files.sidecar import Camera
     from deltacal_gen.machine.registry import Array
+    from deltacal_gen.machine.values import Camera
 
 BALL, DISTORTION = slice(9, 12), 16  # places in the state of a kernel
 _STEPS = 20

@@ -8,14 +8,11 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from deltacal_gen.machine.rotation import Array
-
-if TYPE_CHECKING:
-    from deltacal_gen.machine.machine import Machine
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,14 +39,6 @@ class Sensitivity:
     bent: Array | Callable[[Sequence[int]], Array]
     joints: Array
     whole: Array | None = None
-
-    @classmethod
-    def of_joints(cls, mechanism: Machine, poses: int) -> Sensitivity:
-        """Return what stands for them where joints are looked at instead of the platform: each moves itself alone."""
-        n = mechanism.limbs
-        own, common, bent = (np.zeros((poses, n, n, len(e))) for e in (mechanism.errors, (), mechanism.deflections))
-        whole = np.zeros((poses, n, len(mechanism.parameters)))
-        return cls(own, common, bent, np.tile(np.eye(n), (poses, 1, 1)), whole)
 
     @cached_property
     def deflections(self) -> Array:

@@ -9,7 +9,6 @@ from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from functools import cached_property
 from types import ModuleType
-from typing import Any
 
 import numpy as np
 
@@ -219,27 +218,26 @@ class LimbDynamics(Dynamics):
 
     def stated(self, *, points: bool = False) -> Array:
         """Return what [masses] states; a mass that is not given is none."""
-        if self._robot.masses is None:
+        if (own := self._robot.masses) is None:
             return np.full(len(self.names), np.nan)
-        masses = {name: 0.0 if mass is None else mass for name, mass in self._masses.items()}
-        if self._masses["proximal_inertia"] is None:
-            masses["proximal_inertia"] = self._machine.limb_inertia(self._robot, masses)
-        turning = masses["proximal_inertia"] + masses["rotor_inertia"]
-        found = self._kernels.stated(self._robot.geometry, masses, turning)
+        masses = dict.fromkeys(("carriage", "distal_inertia", "rotor_inertia"), 0.0) | own.numbers
+        arm = self._machine.limb_inertia(self._robot, masses) if own.proximal_inertia is None else own.proximal_inertia
+        found = self._kernels.stated(self._robot.geometry, masses, arm + masses["rotor_inertia"])
         limbs = [found[name] * np.ones(self.joints) for name, *_ in self._kernels.LIMB]
         return np.append(np.array(limbs).T.ravel(), [found[name] for name, *_ in self._platform])
-
-    @property
-    def _masses(self) -> dict[str, Any]:
-        return {} if self._robot.masses is None else self._robot.masses.model_dump()
 
     @cached_property
     def shares(self) -> Array:
         """How much of a rod's mass moves like either of its ends (limbs,); the rest moves like its middle."""
-        mass, inertia = self._masses.get("distal_rod"), self._masses.get("distal_inertia")
-        if not mass or inertia is None:
+        own = self._robot.masses
+        if own is None or not own.distal_rod or own.distal_inertia is None:
             return np.full(self.joints, UNIFORM)
-        return 2 * inertia / (mass * self._machine.roles(self._robot)["l"] ** 2) * np.ones(self.joints)
+        return (
+            2
+            * own.distal_inertia
+            / (own.distal_rod * self._machine.roles(self._robot)["l"] ** 2)
+            * np.ones(self.joints)
+        )
 
     @property
     def numbers(self) -> dict[str, Array]:

@@ -478,6 +478,13 @@ class Machine(ABC):
     ) -> Sensitivity:
         """Return the derivatives of the exact pose at N solved poses; NaN where a pose is singular."""
 
+    def joint_sensitivity(self, poses: int) -> Sensitivity:
+        """Return what stands for `sensitivity` where joints are looked at: each moves itself alone."""
+        n = self.limbs
+        own, common, bent = (np.zeros((poses, n, n, len(e))) for e in (self.errors, (), self.deflections))
+        whole = np.zeros((poses, n, len(self.parameters)))
+        return Sensitivity(own, common, bent, np.tile(np.eye(n), (poses, 1, 1)), whole)
+
     # ------------------------------------------------------------------------------------------------------- loads
 
     @abstractmethod

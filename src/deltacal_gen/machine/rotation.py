@@ -73,3 +73,12 @@ def mean(matrices: Array) -> Array:
 
     matrix: Array = Rotation.from_matrix(matrices).mean().as_matrix()
     return matrix
+
+
+def align(a: Array, b: Array) -> Array:
+    """Return the rotation R (3, 3) that minimises |b - R a|^2 (Kabsch)."""
+    if len(a) < 3:
+        return np.eye(3)
+    U, _, Vt = np.linalg.svd(b.T @ a)
+    turn: Array = U @ np.diag([1.0, 1.0, np.sign(np.linalg.det(U @ Vt))]) @ Vt
+    return turn

@@ -7,10 +7,11 @@ costs NumPy alone, so that arrays are identified as soon as a process has starte
 from __future__ import annotations
 
 import dataclasses
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import numpy as np
 
@@ -21,11 +22,9 @@ from deltacal_gen.units import DEG
 if TYPE_CHECKING:
     import pandas as pd
 
-    from deltacal_gen.files.robot import Masses, Transmission, Workspace
-    from deltacal_gen.files.sidecar import Camera
-
 POSITION = ("x_mm", "y_mm", "z_mm")
 ROTATION = ("rx_deg", "ry_deg", "rz_deg")
+UNKNOWN = math.nan  # what is to be found
 
 
 def numbered(rows: np.ndarray) -> np.ndarray:
@@ -72,6 +71,103 @@ class Link(NamedTuple):
     coupling: tuple[tuple[int, float], ...] = ()
     inertia: tuple[float, ...] | None = None
     rotor_inertia: float | None = None
+
+
+@dataclass(frozen=True)
+class Workspace:
+    """Where the machine works [mm]: a cylinder about z; for planar machines a rectangle; for a single joint a stroke.
+
+    `top` is the distance from the base plane to the first layer, `radius` (or `width`) and `height` are its size; a
+    stroke, along x, has a width only. A platform that turns on command turns by up to `turn` [deg] either way. On which
+    side of the base the layers lie, and which way they go on, `layers`, is the mechanism's.
+    """
+
+    top: float | None = None
+    radius: float | None = None
+    width: float | None = None
+    height: float | None = None
+    turn: float | None = None
+    layers: tuple[int, int] = (-1, -1)
+
+    @property
+    def levels(self) -> tuple[float, float]:
+        """Where the first layer and the last one lie along z, or along y of a rectangle."""
+        side, way = self.layers
+        first = side * (self.top or 0.0)
+        return first, first + way * (self.height or 0.0)
+
+    def place(self, across: Any, part: Any) -> np.ndarray[Any, np.dtype[np.float64]]:
+        """Return positions (N, 3) in {O}: `across` (N, 2) of a cylinder, or (N,) along x, at parts of the height."""
+        first, last = self.levels
+        level = first + np.asarray(part, dtype=float) * (last - first)
+        across = np.asarray(across, dtype=float)
+        if self.radius is not None:
+            return np.column_stack([across, np.broadcast_to(level, len(across))])
+        return np.column_stack([across, np.broadcast_to(level, len(across)), np.zeros(len(across))])
+
+    @property
+    def home(self) -> np.ndarray[Any, np.dtype[np.float64]]:
+        """Its centre, (3,)."""
+        centre: np.ndarray[Any, np.dtype[np.float64]] = self.place(np.zeros((1, 2) if self.radius else 1), 0.5)[0]
+        return centre
+
+    @property
+    def box(self) -> tuple[np.ndarray[Any, np.dtype[np.float64]], np.ndarray[Any, np.dtype[np.float64]]]:
+        """Its centre and its half size, (3,) each; no size along axes in which the machine does not move."""
+        half = (self.height or 0.0) / 2
+        if self.radius is not None:
+            return self.home, np.array([self.radius, self.radius, half])
+        return self.home, np.array([(self.width or 0.0) / 2, half, 0.0])
+
+    def holds(self, positions: np.ndarray[Any, np.dtype[np.float64]]) -> np.ndarray[Any, np.dtype[np.bool_]]:
+        """Tell which positions (N, 3) lie within."""
+        centre, half = self.box
+        across = np.hypot(*positions[:, :2].T) <= self.radius if self.radius is not None else True
+        inside = np.abs(positions - centre) <= half
+        if self.top is None:  # of a stroke only x counts
+            return np.asarray(inside[:, 0])
+        return np.asarray(across & inside.all(axis=1))
+
+
+@dataclass(frozen=True)
+class Masses:
+    """Moving masses [kg]; one that is not given counts as zero.
+
+    `proximal` is one arm with its centre of mass at `proximal_com` of its length, `distal_rod` one of the rods,
+    `platform` sits at O', `carriage` is that of a sliding joint. `gravity` is (3,) in {O} [m/s^2 = N/kg];
+    `proximal_inertia` is an arm's own inertia about its centre of mass [kg mm^2], `distal_inertia` that of a rod,
+    across it: None for those of slender rods. `rotor_inertia` turns with the joint [kg mm^2].
+    """
+
+    proximal: float = 0.0
+    proximal_com: float = 0.5
+    distal_rod: float = 0.0
+    platform: float = 0.0
+    carriage: float | None = None
+    gravity: tuple[float, ...] = (0.0, 0.0, -9.81)
+    proximal_inertia: float | None = None
+    distal_inertia: float | None = None
+    rotor_inertia: float | None = None
+
+    @property
+    def numbers(self) -> dict[str, float]:
+        """Masses and inertias that are given, by name, in the order of the file."""
+        each = ((f.name, getattr(self, f.name)) for f in dataclasses.fields(self) if f.name != "gravity")
+        return {name: value for name, value in each if value is not None}
+
+
+@dataclass(frozen=True)
+class Transmission:
+    """What is between motor and joint.
+
+    `gear_ratio` in motor turns per joint turn, `encoder_counts` per motor turn, `pulley_circumference` in mm of belt
+    per motor turn, `torque_constant_Nm_A` what each joint gets of an ampere.
+    """
+
+    gear_ratio: float | None = None
+    encoder_counts: float | None = None
+    pulley_circumference: float | None = None
+    torque_constant_Nm_A: tuple[float, ...] | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -132,6 +228,29 @@ class Robot:
         if self.joint_limits is None:
             return None
         return np.sort(self.joint_limits * self.joint_sign[:, None], axis=1)
+
+
+@dataclass(frozen=True)
+class Camera:
+    """Pinhole camera: focal lengths and principal point [px], Brown's distortion as in OpenCV, and what it looks at.
+
+    Of a ball the rotation vector from {O'} [deg] and the radius [mm]. Of a board what is left out of the first four, or
+    "unknown", is to be found: NaN here. The camera sits on the platform, on the last link of a chain, or is fixed and
+    looks at a board there.
+    """
+
+    fx_px: float = UNKNOWN
+    fy_px: float = UNKNOWN
+    cx_px: float = UNKNOWN
+    cy_px: float = UNKNOWN
+    k1: float = 0.0
+    k2: float = 0.0
+    p1: float = 0.0
+    p2: float = 0.0
+    k3: float = 0.0
+    rotation_deg: tuple[float, ...] = (0.0, 0.0, 0.0)
+    ball_radius_mm: float = UNKNOWN
+    place: Literal["platform", "fixed"] = "platform"
 
 
 @dataclass(frozen=True)
@@ -281,3 +400,13 @@ class Recording:
         return dataclasses.replace(
             self, pairs=self.pairs[k], pair_measured=self.pair_measured[k], pair_line=self.pair_line[k]
         )
+
+
+def poses_of(recording: Recording) -> np.ndarray:
+    """Return the pose (N,) of each row: label and set-up or, where there are no labels, joints and tool point."""
+    _, label = np.unique(recording.pose, return_inverse=True)
+    if label.max(initial=-1) + 1 == recording.n_rows and recording.pairs is None:
+        tool = np.zeros((recording.n_rows, 3)) if recording.tool is None else np.nan_to_num(recording.tool)
+        key = np.round(np.column_stack([recording.joints, tool, recording.setup]), 9)
+        return numbered(key)
+    return numbered(np.column_stack([label, recording.setup]))

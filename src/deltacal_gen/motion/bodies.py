@@ -11,11 +11,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from deltacal_gen.motion.joint import USUAL, Fit, climbed, fitted
+from deltacal_gen.motion.fit import Fit, climbed, fitted
+from deltacal_gen.motion.joint import USUAL
 from deltacal_gen.motion.ladder import BUYS
 from deltacal_gen.motion.lag import with_lag
 from deltacal_gen.motion.library import Rung
-from deltacal_gen.motion.payload import PayloadError, payload_error
+from deltacal_gen.motion.payload import PayloadError
 from deltacal_gen.motion.session import Session
 
 Progress = Callable[[str], None]
@@ -56,7 +57,7 @@ def searched(session: Session, progress: Progress) -> Found:
     if _as_good(fits, free):
         return Found(known, fits, free)
     usual = [fitted(joint, [Rung(name) for name in USUAL]) for joint in known.moving]
-    found = _carrying(session, known, payload_error(known, usual), progress)
+    found = _carrying(session, known, known.payload_by(usual), progress)
     if found is None:
         fits = _climbed(session, progress)
         return Found(session, fits, fits)
@@ -71,7 +72,7 @@ def _carrying(session: Session, known: Session, payload: PayloadError | None, pr
             return None
         fits = _climbed(carrying, progress)
         without = _beside(known, fits)
-        used, payload = payload, payload_error(known, without)
+        used, payload = payload, known.payload_by(without)
     free = _beside(session, fits)
     if payload is None or carrying is None or not _as_good(fits, free):
         return None

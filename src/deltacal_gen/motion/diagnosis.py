@@ -10,8 +10,8 @@ from scipy.stats import chi2
 
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.bodies import Found, searched
+from deltacal_gen.motion.fit import Fit, fitted
 from deltacal_gen.motion.identification import RIGID, base_parameters
-from deltacal_gen.motion.joint import Fit, fitted
 from deltacal_gen.motion.ladder import BUYS, LookedAt
 from deltacal_gen.motion.lag import LATENCY
 from deltacal_gen.motion.laws import Lawful, lawful

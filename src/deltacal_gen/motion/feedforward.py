@@ -28,6 +28,7 @@ from deltacal_gen.states import TIME
 from deltacal_gen.units import joint_factors, joint_names
 
 if TYPE_CHECKING:
+    from deltacal_gen.files.columns import Columns
     from deltacal_gen.machine.registry import Array
 
 
@@ -63,11 +64,11 @@ class FeedForward:
         """Commanded joints (N, n_q) [deg or mm]."""
         return np.asarray(self.states[0] / joint_factors(self.given.joint_unit, self.states.shape[2]))
 
-    def columns_of_file(self) -> dict[str, object]:
+    def columns_of_file(self) -> Columns:
         """Return the columns of a file: times, commanded joints, their derivatives, torques."""
         unit, limbs = self.given.joint_unit, self.states.shape[2]
         factors = joint_factors(unit, limbs)
-        found: dict[str, object] = {}
+        found: Columns = {}
         if self.given.run_names != ("1",):
             found["run"] = [self.given.run_names[code] for code in self.given.run]
         found[TIME] = self.given.time

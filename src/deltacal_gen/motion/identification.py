@@ -10,7 +10,7 @@ from scipy.optimize import nnls
 
 from deltacal_gen.errors import UsageError
 from deltacal_gen.machine.values import Robot
-from deltacal_gen.motion.joint import Fit, fitted
+from deltacal_gen.motion.fit import Fit, fitted
 from deltacal_gen.motion.rigid import Rigid
 from deltacal_gen.motion.session import Session, still_to_move
 from deltacal_gen.motion.traces import traces

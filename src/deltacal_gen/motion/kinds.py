@@ -5,11 +5,11 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
 from deltacal_gen.errors import InputError
+from deltacal_gen.files.columns import Columns
 from deltacal_gen.files.robot import robot_of
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Robot
@@ -132,7 +132,7 @@ def flaws(known: MotionModel) -> Iterator[tuple[str, str]]:
                 yield f"joints[{k}]", f"{term.effect} needs {wanted[0]} values and {wanted[1]} constants"
 
 
-def columns_of(done: Trajectories) -> dict[str, Any]:
+def columns_of(done: Trajectories) -> Columns:
     """Return a recording in motion as columns of a file."""
     limbs = done.joints.shape[1]
     factors = joint_factors(done.joint_unit, limbs)

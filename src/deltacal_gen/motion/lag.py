@@ -7,7 +7,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from deltacal_gen.motion.joint import Fit, Joint, Lag, climbed
+from deltacal_gen.motion.fit import Fit, Lag, climbed
+from deltacal_gen.motion.joint import Joint
 from deltacal_gen.motion.ladder import BUYS, PER_COEFFICIENT
 from deltacal_gen.motion.library import Rung
 from deltacal_gen.motion.regression import Bench

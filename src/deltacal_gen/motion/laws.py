@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from scipy.optimize import minimize
 
-from deltacal_gen.motion.joint import Fit, fitted
+from deltacal_gen.motion.fit import Fit, fitted
 from deltacal_gen.motion.ladder import BEGUN_WITH, BUYS, PER_COEFFICIENT, Ladder, columns_of
 from deltacal_gen.motion.library import LOAD, Rung
 from deltacal_gen.motion.regression import BETWEEN, Bench

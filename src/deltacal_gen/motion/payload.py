@@ -13,9 +13,8 @@ import numpy as np
 
 if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Array
-    from deltacal_gen.motion.joint import Fit
+    from deltacal_gen.motion.fit import Fit
     from deltacal_gen.motion.rigid import Rigid
-    from deltacal_gen.motion.session import Session
     from deltacal_gen.motion.trajectories import Trajectories
 
 PAYLOAD = "payload_error"  # as the vocabulary calls it
@@ -62,26 +61,30 @@ def torque_of(rigid: Rigid, states: Array, given: Trajectories, setups: Sequence
     return out
 
 
-def payload_error(session: Session, fits: Sequence[Fit]) -> PayloadError | None:
+def payload_error(rigid: Rigid, states: Array, given: Trajectories, fits: Sequence[Fit]) -> PayloadError | None:
     """Return the payload by which all drives together leave least, beside each joint's own rungs (Gauss-Newton).
 
     None where it would be no payload: less than nothing, or out of all reach.
+
+    Parameters
+    ----------
+    states : (3, N, n_q) array
+        Of the joints; zero where they are not known.
     """
-    given, states = session.given, np.nan_to_num(session.motion.states)
     setups = given.setup_names
     values = np.zeros((len(setups), 4))
     values[:, 0] = FIRST  # a mass must be there for its centre to be told
     std = np.full_like(values, np.nan)
     for _ in range(ROUNDS):
-        now = torque_of(session.rigid, states, given, setups, values)
-        columns = _by_values(session, states, setups, values, now)
+        now = torque_of(rigid, states, given, setups, values)
+        columns = _by_values(rigid, states, given, setups, values, now)
         step, std = _step(fits, now, columns, values.shape)
         values = values + step
-        if not _could_be(session.given, setups, values):
+        if not _could_be(given, setups, values):
             return None
         if (np.abs(step) <= SETTLED * np.nan_to_num(std, nan=np.inf)).all():
             break
-    now = torque_of(session.rigid, states, given, setups, values)
+    now = torque_of(rigid, states, given, setups, values)
     gain = sum(len(f.left) / f.together * np.log(_left(f, None) / _left(f, now)) for f in fits)
     return PayloadError(setups, values, std, float(gain))
 
@@ -94,13 +97,15 @@ def _could_be(given: Trajectories, setups: Sequence[str], values: Array) -> bool
     return min(masses) > LIGHTEST and bool((np.abs(values[:, 1:]) < FARTHEST).all())
 
 
-def _by_values(session: Session, states: Array, setups: Sequence[str], values: Array, now: Array) -> Array:
+def _by_values(
+    rigid: Rigid, states: Array, given: Trajectories, setups: Sequence[str], values: Array, now: Array
+) -> Array:
     """Return the derivatives (N, n_q, 4 S) of the joints' torques by mass and centre of each set-up's payload."""
     found = []
     for k in np.ndindex(values.shape):
         moved = values.copy()
         moved[k] += 1e-3
-        found.append((torque_of(session.rigid, states, session.given, setups, moved) - now) / 1e-3)
+        found.append((torque_of(rigid, states, given, setups, moved) - now) / 1e-3)
     return np.stack(found, axis=2)
 
 

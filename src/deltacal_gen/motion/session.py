@@ -14,8 +14,9 @@ from deltacal_gen.files.robot import kept_robot
 from deltacal_gen.machine.dynamics import torque_by_errors
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.derivatives import Motion, motion
-from deltacal_gen.motion.joint import Fit, Joint, series_of
-from deltacal_gen.motion.payload import PayloadError, torque_of
+from deltacal_gen.motion.fit import Fit
+from deltacal_gen.motion.joint import Joint, series_of
+from deltacal_gen.motion.payload import PayloadError, payload_error, torque_of
 from deltacal_gen.motion.regression import GAP, LEAST_RUNS, STRETCH
 from deltacal_gen.motion.rigid import Rigid
 from deltacal_gen.motion.trajectories import Trajectories
@@ -82,6 +83,10 @@ class Session:
         rigid = Rigid(self.robot, stated=True)
         joints = _joints(self.robot, self.given, self.motion, rigid, payload)
         return dataclasses.replace(self, rigid=rigid, joints=joints, payload=payload)
+
+    def payload_by(self, fits: Sequence[Fit]) -> PayloadError | None:
+        """Return the payload by which all drives together leave least beside each joint's own rungs, if one could."""
+        return payload_error(self.rigid, np.nan_to_num(self.motion.states), self.given, fits)
 
     @property
     def moving(self) -> list[Joint]:

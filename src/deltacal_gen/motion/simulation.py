@@ -7,13 +7,13 @@ import sys
 from collections.abc import Container, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeGuard
+from typing import TYPE_CHECKING, TypeGuard
 
 import numpy as np
 from pydantic import Field
 
 from deltacal_gen.errors import InputError
-from deltacal_gen.files.toml import Table, TomlFile, nearest, toml_text
+from deltacal_gen.files.toml import Raw, Table, TomlFile, nearest, toml_text
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.derivatives import motion
 from deltacal_gen.motion.joint import earlier
@@ -33,7 +33,7 @@ DRY, FORCE = "coulomb_friction", "coulomb"  # what builds up over a way, by the 
 
 class _File(Table):
     parameters: dict[str, float] = Field(default_factory=dict)
-    effects: list[dict[str, Any]] = Field(default_factory=list)
+    effects: list[dict[str, object]] = Field(default_factory=list)
 
 
 @dataclass(frozen=True)
@@ -84,7 +84,7 @@ def _is_number(value: object) -> TypeGuard[float]:
     return isinstance(value, int | float) and abs(value) <= sys.float_info.max
 
 
-def _payload(file: TomlFile, table: Mapping[str, Any]) -> tuple[str, Array]:
+def _payload(file: TomlFile, table: Raw) -> tuple[str, Array]:
     """Return the set-up of a payload that is not what is written, and what it has beside: mass and centre."""
     given, names = dict(table), [name for name, _ in NAMES]
     setup = str(given.pop("setup", ""))
@@ -94,7 +94,7 @@ def _payload(file: TomlFile, table: Mapping[str, Any]) -> tuple[str, Array]:
     return setup, np.array(values, dtype=float)
 
 
-def _delays(file: TomlFile, table: Mapping[str, Any], rigid: Rigid) -> dict[int, float]:
+def _delays(file: TomlFile, table: Raw, rigid: Rigid) -> dict[int, float]:
     """Return by how much readings come late, joint by joint [s]."""
     delay = table.get("delay")
     if not _is_number(delay) or set(table) - {"name", "delay", "limb", "limbs"}:
@@ -102,16 +102,16 @@ def _delays(file: TomlFile, table: Mapping[str, Any], rigid: Rigid) -> dict[int,
     return {i: float(delay) for i in _limbs(file, LATENCY, dict(table), rigid)}
 
 
-def _limbs(file: TomlFile, name: str, given: dict[str, Any], rigid: Rigid) -> list[int]:
+def _limbs(file: TomlFile, name: str, given: dict[str, object], rigid: Rigid) -> list[int]:
     """Take the joints out of an effect's table."""
     every, limb = range(1, rigid.dynamics.joints + 1), given.pop("limb", None)
     limbs = given.pop("limbs", None) or ([limb] if limb is not None else list(every))
-    if any(i not in every for i in limbs):
+    if not isinstance(limbs, list) or any(i not in every for i in limbs):
         raise file.error(f"{name}: joints are counted from 1 to {len(every)}.", "Correct limb or limbs.", "effects")
     return [int(i) for i in limbs]
 
 
-def _by_way(file: TomlFile, table: dict[str, Any], rigid: Rigid, dry: Mapping[int, Any]) -> list[dict[str, Any]]:
+def _by_way(file: TomlFile, table: Raw, rigid: Rigid, dry: Mapping[int, object]) -> list[Raw]:
     """Return the tables of an effect, of one that builds up over a way joint by joint with that way.
 
     Where it is not given it is the joint's dry friction over the effect's stiffness. What an own `coulomb` says of a
@@ -121,19 +121,20 @@ def _by_way(file: TomlFile, table: dict[str, Any], rigid: Rigid, dry: Mapping[in
     kernels = load_effect(name) if name in drive_effect_names() else None
     if kernels is None or "travels" not in kernels.SEARCHED:
         return [table]
-    rest, found = dict(table), list[dict[str, Any]]()
+    rest, found = dict(table), list[Raw]()
     limbs, own = _limbs(file, str(name), rest, rigid), rest.pop(FORCE, None)
     way, stiffness = kernels.SEARCHED["travels"], rest.get(kernels.COEFFICIENTS[0][0])
     for i in limbs:
-        force = dry.get(i, own)
-        follows = way not in rest and _is_number(force) and _is_number(stiffness) and stiffness > 0
-        found.append(rest | {"limb": i} | ({way: force / stiffness} if follows else {}))
+        force, here = dry.get(i, own), rest | {"limb": i}
+        if way not in rest and _is_number(force) and _is_number(stiffness) and stiffness > 0:
+            here[way] = force / stiffness
+        found.append(here)
         if own is not None and i not in dry:
             found.append({"name": DRY, "limb": i, FORCE: own})
     return found
 
 
-def _effects(file: TomlFile, table: Mapping[str, Any], rigid: Rigid) -> list[tuple[int, Rung, Array]]:
+def _effects(file: TomlFile, table: Raw, rigid: Rigid) -> list[tuple[int, Rung, Array]]:
     """Return an effect of a truth, joint by joint."""
     given = dict(table)
     name = str(given.pop("name", ""))
@@ -144,19 +145,20 @@ def _effects(file: TomlFile, table: Mapping[str, Any], rigid: Rigid) -> list[tup
     limbs = _limbs(file, name, given, rigid)
     kernels = load_effect(name)
     names = [key for key, *_ in (*kernels.COEFFICIENTS, *kernels.CONSTANTS)]
+    numbers = {key: float(value) for key, value in given.items() if _is_number(value)}
     for key in names:
-        if not _is_number(given.get(key)):
+        if key not in numbers:
             raise file.error(f"{name} needs a number for '{key}'.", f"Give {', '.join(names)}.", "effects")
     if stray := [key for key in given if key not in names]:
         raise file.error(f"{name} has no parameter '{stray[0]}'.", f"It has {', '.join(names)}.", "effects")
     found = []
     for i in limbs:
         unit = rigid.dynamics.joint_units[i - 1]
-        values = np.array([given[key] * factor for key, _, factor in coefficients(kernels, unit)], dtype=float)
+        values = np.array([numbers[key] * factor for key, _, factor in coefficients(kernels, unit)], dtype=float)
         constants = []
         for key, of, factor, _ in kernels.CONSTANTS:
             inside = of_sliding(of)[1] if unit == "mm" and key in kernels.OF_JOINT else factor
-            constants.append(float(given[key]) * inside)
+            constants.append(numbers[key] * inside)
         found.append((int(i), Rung(name, tuple(constants)), values))
     return found
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from deltacal_gen.motion.joint import Fit
+from deltacal_gen.motion.fit import Fit
 from deltacal_gen.results.motion import Trace
 from deltacal_gen.units import joint_factors
 

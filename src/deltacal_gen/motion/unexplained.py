@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from scipy.stats import chi2
 
-from deltacal_gen.motion.joint import Fit
+from deltacal_gen.motion.fit import Fit
 from deltacal_gen.motion.ladder import PER_COEFFICIENT
 from deltacal_gen.motion.library import LOAD, hats
 from deltacal_gen.motion.regression import GAP, Bench

@@ -19,6 +19,7 @@ from pathlib import Path
 from typing import Annotated, Any, Literal, get_args
 
 from pydantic import Field, ValidationError
+from pydantic_core import ErrorDetails
 
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.toml import Table, TomlFile
@@ -248,7 +249,7 @@ def _with_verdicts(
     return {**kept, **joined, "status": next(s for s in ("contradicted", "verified", "proved") if s in ways)}
 
 
-def _explained(flaw: Mapping[str, Any], entry: Mapping[str, Any], n: int, path: Path, line: int) -> InputError:
+def _explained(flaw: ErrorDetails, entry: Mapping[str, Any], n: int, path: Path, line: int) -> InputError:
     key = flaw["loc"][0]
     what = f"claim {n + 1} ({entry.get('where', 'no place')}), key '{key}'"
     match flaw["type"]:
@@ -262,7 +263,7 @@ def _explained(flaw: Mapping[str, Any], entry: Mapping[str, Any], n: int, path: 
             wanted = {
                 "where": "'eq. (N)', 'Table N', 'Fig. N' or 'section N'",
                 "test": "'tests/FILE.py::test_NAME'",
-            }.get(key, "one line of text")
+            }.get(str(key), "one line of text")
         case _:
             wanted = "one line of text"
     return InputError(

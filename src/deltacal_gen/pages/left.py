@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from matplotlib.axes import Axes
 
-from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.residuals import lengths
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.pages.figures import AFTER, BEFORE, MUTED

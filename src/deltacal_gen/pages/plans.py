@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.files.columns import Columns
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.limits import PATTERNS, limits_of
@@ -64,7 +65,7 @@ def figure(plans: Plan | Sequence[Plan], path: str | Path) -> None:
         _saved(canvas, path)
 
 
-def trajectory(robot: Robot, plan: MotionPlan, columns: Mapping[str, Any], path: str | Path) -> None:
+def trajectory(robot: Robot, plan: MotionPlan, columns: Columns, path: str | Path) -> None:
     """Draw joints, speeds and accelerations over time, run after run, with the limits between which they stay."""
     machine = mechanism_of(robot)
     unit, limbs = machine.joint_unit, machine.limbs

@@ -12,9 +12,9 @@ from typing import Any
 from markdown_it import MarkdownIt
 from markdown_it.token import Token
 
-from deltacal_gen import __version__
 from deltacal_gen.pages import manual, report
 from deltacal_gen.pages.manual import CONTENTS, Page, anchor
+from deltacal_gen.version import __version__
 
 SHORT = 30  # letters of code that stay in one line
 

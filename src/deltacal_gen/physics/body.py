@@ -20,7 +20,7 @@ from deltacal_gen.machine.answers import Sensitivity
 from deltacal_gen.machine.machine import POSE
 from deltacal_gen.machine.registry import SOLVED, STATUS, UNBALANCED, Array, Machine
 from deltacal_gen.machine.rotation import cayley_matrix, swept
-from deltacal_gen.machine.values import Recording, Robot
+from deltacal_gen.machine.values import Masses, Recording, Robot
 from deltacal_gen.physics.channels import Channels
 from deltacal_gen.physics.memory import Along, along
 from deltacal_gen.physics.parts import along_deflections, lacking, lacks
@@ -67,11 +67,11 @@ class Body:
     def __init__(self, robot: Robot, mechanism: Machine, q: Array, tool: Array, channels: Channels) -> None:
         self.robot, self.mechanism, self.q, self.tool, self.channels = robot, mechanism, q, tool, channels
         self.roles, self.moves = mechanism.roles(robot), mechanism.moves(robot)
-        masses = robot.masses.model_dump() if robot.masses is not None else {}
-        self.gravity = np.asarray(masses.pop("gravity", (0.0, 0.0, -9.81)), dtype=float)
+        masses = {} if robot.masses is None else robot.masses.numbers
+        self.gravity = np.asarray((robot.masses or Masses()).gravity, dtype=float)
         self._held: tuple[tuple[int, ...], tuple[Term, ...], dict[str, Array]] | None = None
         self.inertia = masses.pop("proximal_inertia", None)
-        self.masses: dict[str, float] = {k: v for k, v in masses.items() if v is not None}
+        self.masses = masses
 
     def missing(self, of: str | Term) -> str | None:
         """Return what an effect needs that is not there, in words; None where nothing is.

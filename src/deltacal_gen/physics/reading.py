@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from deltacal_gen.instrument.readings import Readings
+from deltacal_gen.instrument.kind import Readings
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.body import Body, states_read
 from deltacal_gen.physics.terms import Term

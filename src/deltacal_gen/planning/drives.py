@@ -25,8 +25,9 @@ from deltacal_gen.files.robot import kept_robot, robot_to_dict
 from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.values import Robot
+from deltacal_gen.motion.fit import fitted
 from deltacal_gen.motion.identification import RIGID, base_parameters
-from deltacal_gen.motion.joint import Joint, fitted
+from deltacal_gen.motion.joint import Joint
 from deltacal_gen.motion.ladder import BEGUN_WITH
 from deltacal_gen.motion.lag import LATENCY
 from deltacal_gen.motion.library import Rung, of_joint

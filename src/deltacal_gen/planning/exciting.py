@@ -24,6 +24,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from deltacal_gen.errors import NoSolutionError, UsageError
+from deltacal_gen.files.columns import Columns
 from deltacal_gen.files.toml import toml_text
 from deltacal_gen.files.writing import csv_text, write_files
 from deltacal_gen.identification.identifiability import observability
@@ -308,13 +309,13 @@ def exciting(
     return answer, tuple(chosen)
 
 
-def columns_of(robot: Robot, series: Sequence[Series], rate: float) -> dict[str, object]:
+def columns_of(robot: Robot, series: Sequence[Series], rate: float) -> Columns:
     """Return the columns of a trajectory's file: runs, times, joints, velocities, accelerations."""
     machine = mechanism_of(robot)
     unit, limbs = machine.joint_unit, machine.limbs
     time = np.arange(0, round(series[0].period * rate) + 1) / rate
     states = np.concatenate([s.states(time) for s in series], axis=1)
-    found: dict[str, object] = {"run": [k + 1 for k in range(len(series)) for _ in time]}
+    found: Columns = {"run": [k + 1 for k in range(len(series)) for _ in time]}
     found[TIME] = np.tile(time, len(series))
     for values, pattern in zip(states, PATTERNS, strict=True):
         found |= dict(zip(joint_names(unit, limbs, pattern), (values / joint_factors(unit, limbs)).T, strict=True))

@@ -17,8 +17,7 @@ from deltacal_gen.estimation.solvers import Factored
 from deltacal_gen.execution import content_key
 from deltacal_gen.files.robot import Robot, robot_to_dict
 from deltacal_gen.identification.accuracy import check_joints, without_motion
-from deltacal_gen.instrument.instrument import Instrument
-from deltacal_gen.instrument.readings import Readings
+from deltacal_gen.instrument.kind import Instrument, Readings
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.rotation import from_vector
 from deltacal_gen.machine.values import Recording

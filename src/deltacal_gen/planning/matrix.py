@@ -19,11 +19,9 @@ from deltacal_gen.identification.identifiability import (
     column_convention,
     observability,
 )
-from deltacal_gen.instrument.instrument import Instrument
-from deltacal_gen.instrument.kind import Kind
+from deltacal_gen.instrument.kind import Instrument, Kind, Readings
 from deltacal_gen.instrument.kinds import MOUNTED, PAIRS, POINTS, kind_of
 from deltacal_gen.instrument.kinds import names as kind_names
-from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.registry import Array, Machine, mechanism_of
 from deltacal_gen.machine.rotation import about_z
 from deltacal_gen.machine.values import Measurement

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Sequence
 
 import numpy as np
 
 from deltacal_gen.errors import UsageError
-from deltacal_gen.files.robot import Robot, Workspace
+from deltacal_gen.files.robot import Robot
 from deltacal_gen.identification.accuracy import joint_spread, workspace_of
 from deltacal_gen.instrument.kind import Kind
 from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.machine.rotation import about_z
+from deltacal_gen.machine.values import Workspace
 from deltacal_gen.planning import boards
 
 LAYERS = {"top": 0.0, "middle": 0.5, "bottom": 1.0}  # part of the cylinder's height below its top
@@ -106,7 +108,7 @@ def grid(workspace: Workspace, layers: int = 3, radii: int = 2, angles: int = 24
     heights = np.linspace(0.0, 1.0, layers).tolist()
     axis = workspace.place(np.zeros((layers, 2)), heights)
     inner = [
-        rings(workspace.model_copy(update={"radius": radius(workspace) * k / radii}), angles, heights, home=False)
+        rings(dataclasses.replace(workspace, radius=radius(workspace) * k / radii), angles, heights, home=False)
         for k in range(1, radii + 1)
     ]
     return np.vstack([axis, *inner])

@@ -14,6 +14,8 @@ from deltacal_gen.errors import InputError
 from deltacal_gen.results.base import Answer, key_of, plain
 
 if TYPE_CHECKING:
+    from pydantic_core import ErrorDetails
+
     from deltacal_gen.results.diagnosis import Diagnosis
     from deltacal_gen.results.motion import MotionDiagnosis, MotionResult
     from deltacal_gen.results.result import Result
@@ -174,7 +176,7 @@ class _Refused:
             file=self.file,
         )
 
-    def flaw(self, found: Mapping[str, Any]) -> InputError:
+    def flaw(self, found: ErrorDetails) -> InputError:
         """Return the error of a file that is damaged."""
         steps = [s for s in found["loc"] if not isinstance(s, str) or s == key_of(s)]
         path = "".join(f"[{s}]" if isinstance(s, int) else f".{s}" for s in steps).removeprefix(".")

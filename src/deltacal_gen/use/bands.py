@@ -15,9 +15,8 @@ import numpy as np
 from deltacal_gen.errors import InputError
 from deltacal_gen.estimation.problem import Linearised, Problem
 from deltacal_gen.identification.knowledge import factor
-from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.instrument.kind import Instrument, Readings
 from deltacal_gen.instrument.kinds import POINTS, instrument_of, kind_of
-from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.machine.rotation import from_vector, to_vector
 from deltacal_gen.machine.values import Recording

@@ -14,8 +14,8 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from deltacal_gen.estimation.residuals import lengths
+from deltacal_gen.instrument.kind import Readings
 from deltacal_gen.instrument.kinds import readings
-from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.results.certificate import Budget, Condition, Contribution, Errors

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from deltacal_gen.errors import InputError, UsageError
-from deltacal_gen.files.columns import is_channel
+from deltacal_gen.files.columns import Columns, is_channel
 from deltacal_gen.files.toml import nearest
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.rotation import from_vector
@@ -123,10 +123,10 @@ class Commands:
         out: Array = self.joints / joint_factors(mechanism.joint_unit, mechanism.limbs)
         return out
 
-    def table(self) -> dict[str, Any]:
+    def table(self) -> Columns:
         """Return the columns of a file: it can be simulated, or measured, as it stands."""
         mechanism, wanted = self.compensator.mechanism, self.wanted
-        table: dict[str, Any] = {} if wanted.pose is None else {"pose": wanted.pose}
+        table: Columns = {} if wanted.pose is None else {"pose": wanted.pose}
         table |= zip(joint_names(mechanism.joint_unit, mechanism.limbs), self.in_files.T, strict=True)
         if wanted.tool is not None:
             table |= {f"tool_{axis}_mm": values for axis, values in zip("xyz", wanted.tool.T, strict=True)}

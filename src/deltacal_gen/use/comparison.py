@@ -15,9 +15,9 @@ import numpy as np
 from deltacal_gen.errors import InputError
 from deltacal_gen.files.robot import Robot, robot_of
 from deltacal_gen.identification.accuracy import check_joints
-from deltacal_gen.instrument.instrument import align
 from deltacal_gen.machine.differences import between
 from deltacal_gen.machine.registry import SOLVED, mechanism_of
+from deltacal_gen.machine.rotation import align
 from deltacal_gen.results.comparison import Change, Comparison, Moved
 from deltacal_gen.results.motion import MotionDiagnosis, MotionResult, TorqueEffect
 from deltacal_gen.results.parts import RobotTables

@@ -16,18 +16,20 @@ Bai, Mei, Huang, Chetwynd 2015, Proc. IMechE C 230(3), section 4.
 
 from __future__ import annotations
 
+import dataclasses
 import hashlib
 import itertools
 import json
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from enum import StrEnum
 from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
-from deltacal_gen.files.robot import Robot, Workspace
+from deltacal_gen.files.robot import Robot
 from deltacal_gen.identification.accuracy import turned, workspace_of
 from deltacal_gen.machine.answers import result
 from deltacal_gen.machine.registry import (
@@ -39,6 +41,7 @@ from deltacal_gen.machine.registry import (
     nominal_joints,
 )
 from deltacal_gen.machine.rotation import about_z
+from deltacal_gen.machine.values import Workspace
 from deltacal_gen.physics.body import Body, Deformed
 from deltacal_gen.physics.channels import Channels, complete_channels
 from deltacal_gen.physics.law import is_law
@@ -48,11 +51,17 @@ from deltacal_gen.results.diagnosis import Diagnosis
 from deltacal_gen.results.result import Result
 from deltacal_gen.units import file_unit, to_internal
 
-KINDS = ("exact", "linear")
 TURNED_DEG = 1e-6  # a rotation of an open chain that a command leaves by more than this is told
 _RANDOM_POINTS = 2000
 _SEED = 20150  # of the random points: the same machine always gets the same statement
 _NAMED = 5  # targets a message names before it counts the rest
+
+
+class CompensatorKind(StrEnum):
+    """How a command is found; see above."""
+
+    EXACT = "exact"
+    LINEAR = "linear"
 
 
 class RoundTrip(NamedTuple):
@@ -102,7 +111,7 @@ class Compensator:
     """
 
     robot: Robot
-    kind: str = "exact"
+    kind: CompensatorKind = CompensatorKind.EXACT
     terms: Sequence[Term] = ()
 
     def __init__(self, robot: Robot | Result | Diagnosis, kind: str = "exact", terms: Sequence[Term] = ()) -> None:
@@ -111,11 +120,11 @@ class Compensator:
 
             known = robot
             robot, terms = calibrated_robot(known), terms or known_effects(known, timed=True)
-        for name, value in (("robot", robot), ("kind", kind), ("terms", terms)):
+        if kind not in (known_kinds := [*CompensatorKind]):
+            raise UsageError(f"there is no compensator '{kind}'; there are {' and '.join(known_kinds)}.")
+        for name, value in (("robot", robot), ("kind", CompensatorKind(kind)), ("terms", terms)):
             object.__setattr__(self, name, value)
-        if self.kind not in KINDS:
-            raise UsageError(f"there is no compensator '{self.kind}'; there are {' and '.join(KINDS)}.")
-        if self.kind == "linear" and self.effects:
+        if self.kind is CompensatorKind.LINEAR and self.effects:
             named = ", ".join(t.effect for t in self.effects)
             raise UsageError(f"the linear compensator knows geometry only, not {named}. Use the exact one.")
 
@@ -156,7 +165,7 @@ class Compensator:
         numbers = (self._rows, self.robot.tool, self.robot.joint_sign)
         text = self.kind.encode() + b"".join(np.ascontiguousarray(n, dtype="<f8").tobytes() for n in numbers)
         if self.effects:
-            masses = self.robot.masses.model_dump() if self.robot.masses is not None else None
+            masses = dataclasses.asdict(self.robot.masses) if self.robot.masses is not None else None
             text += json.dumps([masses, *(kept_term(t).to_dict() for t in self.effects)]).encode()
         return hashlib.sha256(text).hexdigest()[:16]
 
@@ -175,14 +184,15 @@ class Compensator:
     @cached_property
     def _constants(self) -> Array:
         """What no target changes, as the C source reads it."""
-        if self.kind == "linear":
+        if self.kind is CompensatorKind.LINEAR:
             return np.asarray(self._kernels.linear_constants(self._rows))
         return self.mechanism.constants(self._rows)
 
     @cached_property
     def _state(self) -> Array:
         """The machine as the kernels of one command read it, and room for their scratch: every call takes a copy."""
-        state = getattr(self._kernels, f"{self.kind}_state")
+        kernels, linear = self._kernels, self.kind is CompensatorKind.LINEAR
+        state = kernels.linear_state if linear else kernels.exact_state
         return np.asarray(state(self._rows[0], self.robot.tool, self.robot.joint_sign))
 
     def servo(self, *, change: bool = False) -> Servo:
@@ -218,7 +228,7 @@ class Compensator:
         UsageError
             The machine has effects, which this function does not know; or the change is asked of the exact compensator.
         """
-        if change and self.kind != "linear":
+        if change and self.kind is not CompensatorKind.LINEAR:
             raise UsageError(f"the {self.kind} compensator has no change to nominal joints; the linear one has.")
         self.needs_loops("compiled function")
         if self.effects:
@@ -227,8 +237,9 @@ class Compensator:
                 + ", ".join(t.effect for t in self.effects)
                 + "."
             )
-        kernel = getattr(self._kernels, "linear_change" if change else f"{self.kind}_command")
-        return Servo(kernel, self._kernels.copied(self._state))
+        kernels, linear = self._kernels, self.kind is CompensatorKind.LINEAR
+        command = kernels.linear_change if change else kernels.linear_command if linear else kernels.exact_command
+        return Servo(command, kernels.copied(self._state))
 
     def channels(self, columns: Mapping[str, Array | float], n: int) -> tuple[Channels, list[str]]:
         """Return what the effects read beside the target, for n commands, and in words what had to be assumed.
@@ -290,7 +301,7 @@ class Compensator:
         if np.may_share_memory(targets, joints):  # joints in place of their targets, which are still read
             targets = targets.copy()
         start, status = self._start(targets, tool, near)
-        if self.kind == "exact":
+        if self.kind is CompensatorKind.EXACT:
 
             def reach(q: Array, some: np.ndarray) -> tuple[Deformed, np.ndarray]:
                 return self._machine(q, tool[some], None if channels is None else channels.subset(some))

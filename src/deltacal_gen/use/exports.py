@@ -30,7 +30,7 @@ from deltacal_gen.machine.rotation import to_vector
 from deltacal_gen.physics.terms import Term
 from deltacal_gen.states import CHANNELS, STATES, State
 from deltacal_gen.units import DEG, file_unit, to_internal
-from deltacal_gen.use.compensation import Compensator, RoundTrip, largest, workspace_points
+from deltacal_gen.use.compensation import Compensator, CompensatorKind, RoundTrip, largest, workspace_points
 from deltacal_gen.use.spans import (
     Column,
     Spans,
@@ -48,7 +48,7 @@ from deltacal_gen.use.spans import (
 
 DEGREE = 6  # of the polynomials over the workspace: 84 coefficients
 TURNS = 12  # of the fixed point in C: an effect of the joint angle that steepens by a tenth is then known to 1e-12
-_SOURCE = {"exact": "inverse.c", "linear": "linear.c"}
+_SOURCE = {CompensatorKind.EXACT: "inverse.c", CompensatorKind.LINEAR: "linear.c"}
 
 
 def export_c(compensator: Compensator, path: str | Path, over: Spans | None = None) -> RoundTrip:
@@ -161,7 +161,7 @@ def c_source(compensator: Compensator, left: RoundTrip, live: _Live | None = Non
     mechanism, kernels, robot = compensator.mechanism, compensator._kernels, compensator.robot
     body = importlib.resources.files("deltacal_kernels").joinpath(mechanism.name, _SOURCE[compensator.kind])
     constants = compensator._constants[0]
-    if compensator.kind == "exact":
+    if compensator.kind is CompensatorKind.EXACT:
         constants = constants[:, : kernels.COMMAND_CONSTANTS]
     limbs, unit = mechanism.limbs, file_unit(mechanism.joint_unit)
     values = "\n".join(f"    {{ {wrapped(row)} }}," for row in constants)
@@ -311,8 +311,8 @@ def _c_header(compensator: Compensator, left: RoundTrip, unit: str, live: _Live 
     robot, mechanism = compensator.robot, compensator.mechanism
     limbs = mechanism.limbs
     what = {
-        "exact": "inverse position of the calibrated machine, by Newton's method",
-        "linear": "nominal joints and the first-order change that undoes the errors (Bai 2015, eq. 23)",
+        CompensatorKind.EXACT: "inverse position of the calibrated machine, by Newton's method",
+        CompensatorKind.LINEAR: "nominal joints and the first-order change that undoes the errors (Bai 2015, eq. 23)",
     }
     yield f"Joint commands for {plain(robot.name)} ({mechanism.name}), compensated."
     yield ""

@@ -16,9 +16,8 @@ from deltacal_gen.estimation.problem import Problem, pose_problem
 from deltacal_gen.estimation.solvers import LeastSquares
 from deltacal_gen.files.columns import ONE_SETUP
 from deltacal_gen.files.robot import Robot, robot_of
-from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.instrument.kind import Instrument, Readings
 from deltacal_gen.instrument.kinds import POINTS, instrument_of, kind_of, readings
-from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.machine.rotation import from_vector, to_vector
 from deltacal_gen.machine.values import Measurement, Recording

@@ -24,10 +24,9 @@ from deltacal_gen.files.robot import kept_robot
 from deltacal_gen.files.writing import write_blocks
 from deltacal_gen.identification import identifiability
 from deltacal_gen.identification.answer import open_combinations, parameter_table
-from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.instrument.kind import Instrument, Readings
 from deltacal_gen.instrument.kinds import POINTS, kind_of, readings
 from deltacal_gen.instrument.kinds.position import drawn_frames
-from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.backend import working
 from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.machine.values import Recording, Robot

@@ -19,7 +19,7 @@ from deltacal_gen.files.writing import write_files
 from deltacal_gen.identification.accuracy import workspace_of
 from deltacal_gen.machine.registry import SOLVED, UNREACHABLE, Array
 from deltacal_gen.units import file_unit, to_internal
-from deltacal_gen.use.compensation import Compensator, RoundTrip, largest, workspace_points
+from deltacal_gen.use.compensation import Compensator, CompensatorKind, RoundTrip, largest, workspace_points
 from deltacal_gen.use.spans import (
     Column,
     Spans,
@@ -72,7 +72,7 @@ class TableCompensator:
     missed: int
     robot: str
     mechanism: str
-    kind: str
+    kind: CompensatorKind
     digest: str
     joint_unit: str
     tool: Array
@@ -393,7 +393,7 @@ def read_table(path: str | Path) -> TableCompensator:
         missed=int(facts["missed"]),
         robot=facts["robot"],
         mechanism=facts["mechanism"],
-        kind=facts["kind"],
+        kind=CompensatorKind(facts["kind"]),
         digest=facts["parameters_sha256"],
         joint_unit=unit,
         tool=np.array(facts["tool_mm"], dtype=float),
@@ -424,6 +424,8 @@ def _table_facts(path: Path, lines: list[str]) -> dict[str, Any]:
     for key in ("robot", "mechanism", "kind", "parameters_sha256"):
         if not isinstance(facts.get(key), str):
             raise _damaged(path, None, f"{key} in the header is missing")
+    if facts["kind"] not in [*CompensatorKind]:
+        raise _damaged(path, None, f"kind in the header is {facts['kind']!r}; {' or '.join(CompensatorKind)} expected")
     return facts
 
 

@@ -16,9 +16,8 @@ import numpy as np
 from deltacal_gen.diagnosis.spectrum import never_seen
 from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.estimation.residuals import lengths, wrongly_found
-from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.instrument.kind import Instrument, Readings
 from deltacal_gen.instrument.kinds import instrument_of, readings
-from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.rotation import from_vector, to_vector
 from deltacal_gen.machine.values import Recording

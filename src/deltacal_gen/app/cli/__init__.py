@@ -21,9 +21,9 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # the matrices are small: th
 
 import typer
 
-from deltacal_gen import __version__
 from deltacal_gen.app.cli import calibration, common, experiments, guide, many, model_side, sources, use
 from deltacal_gen.errors import DeltacalError
+from deltacal_gen.version import __version__
 
 FAULT = 70  # EX_SOFTWARE of sysexits.h
 STOPPED = 130  # by SIGINT, as shells say it

@@ -10,7 +10,7 @@ import numpy as np
 
 from deltacal_gen.app.commands.common import Progress, Source, as_recording
 from deltacal_gen.errors import UsageError
-from deltacal_gen.files.columns import instrument_path
+from deltacal_gen.files.columns import Columns, instrument_path
 from deltacal_gen.files.writing import csv_text, file_columns, sidecar_text, write_files
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Recording, Robot
@@ -87,7 +87,7 @@ def simulated_clock(given: TwoClocks, said: Mapping[str, float]) -> Clock:
     return Clock(np.full(len(given.run_names), said.get("clock_offset", 0.0)), said.get("clock_rate", 0.0))
 
 
-def instrument_columns(given: TwoClocks, done: Recording, *, joints: bool) -> dict[str, Any]:
+def instrument_columns(given: TwoClocks, done: Recording, *, joints: bool) -> Columns:
     """Return readings as a file holds them: with their run and time, and beside the joints as they were then."""
     columns, _ = file_columns(done)
     runs = {} if given.run_names == ("1",) else {"run": [given.run_names[code] for code in given.run]}

@@ -9,7 +9,6 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
-from deltacal_gen import __version__
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.columns import distances_path, instrument_path
 from deltacal_gen.files.recording import read_recording, recording_of
@@ -18,6 +17,7 @@ from deltacal_gen.files.writing import is_stream, write_files
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.results.parts import InputFile, Made, RobotTables
+from deltacal_gen.version import __version__
 
 if TYPE_CHECKING:
     from deltacal_gen.motion.kinds import Torque

@@ -21,15 +21,15 @@ import numpy as np
 
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.app.reproduction.sheet import Part, Picture, Sheet
-from deltacal_gen.estimation.fit import Fit, fit
+from deltacal_gen.estimation.fit import fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.estimation.solvers import TSVD, LeastSquares, Prior, Ridge, Solver
 from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import Robot, read_robot
 from deltacal_gen.identification.identifiability import observability
-from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.instrument.kind import Instrument, Readings
 from deltacal_gen.instrument.kinds import kind_of
-from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.registry import Array, load_mechanism
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.simulation import read_truth

@@ -19,7 +19,7 @@ from deltacal_gen.diagnosis.strategy import Outcome
 from deltacal_gen.diagnosis.structure import by_instrument
 from deltacal_gen.diagnosis.wandering import following_walks
 from deltacal_gen.errors import InputError
-from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.identification.together import deviance_of, together
 from deltacal_gen.machine.registry import Array

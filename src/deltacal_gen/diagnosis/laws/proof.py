@@ -15,7 +15,7 @@ import numpy as np
 from deltacal_gen.diagnosis.laws.search import COMPARED, SHARE, Grown, explained, grow, quiet
 from deltacal_gen.diagnosis.refits import refitted, terms_of
 from deltacal_gen.diagnosis.strategy import borne_out
-from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.residuals import lengths, rms
 from deltacal_gen.identification.folds import folds

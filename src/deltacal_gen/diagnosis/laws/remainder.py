@@ -18,7 +18,8 @@ from deltacal_gen.diagnosis.laws.ground import Ground, Tried
 from deltacal_gen.diagnosis.laws.shape import Part, curves_of, of_parts
 from deltacal_gen.diagnosis.refits import terms_of
 from deltacal_gen.errors import InputError, NoSolutionError
-from deltacal_gen.estimation.fit import Fit, fit
+from deltacal_gen.estimation.fit import fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.law import load_law

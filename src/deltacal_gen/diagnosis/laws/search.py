@@ -20,7 +20,7 @@ from deltacal_gen.diagnosis.laws.shape import shaped
 from deltacal_gen.diagnosis.refits import refitted, terms_of
 from deltacal_gen.diagnosis.strategy import ALIKE
 from deltacal_gen.diagnosis.structure import alike, structures
-from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.identification.noise import lack_of_fit
 from deltacal_gen.identification.together import deviance_of

@@ -10,7 +10,7 @@ import numpy as np
 
 from deltacal_gen.diagnosis.laws.ground import Ground
 from deltacal_gen.diagnosis.refits import terms_of
-from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.residuals import lengths, rms
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.formula import unit, written

@@ -11,12 +11,10 @@ import deltacal_kernels.measurements
 import numpy as np
 
 from deltacal_gen.errors import InputError
-from deltacal_gen.instrument.instrument import Instrument
-from deltacal_gen.instrument.kind import Kind
-from deltacal_gen.instrument.readings import Readings, poses_of
+from deltacal_gen.instrument.kind import Instrument, Kind, Readings
 from deltacal_gen.instrument.several import Several
 from deltacal_gen.machine.registry import Array, Machine
-from deltacal_gen.machine.values import Recording, Robot
+from deltacal_gen.machine.values import Recording, Robot, poses_of
 from deltacal_gen.results.parts import InstrumentState
 
 POINTS = "position"  # where points are: what rows hold where nothing says what they do

@@ -12,14 +12,13 @@ import numpy as np
 
 from deltacal_gen.errors import InputError
 from deltacal_gen.instrument import board
-from deltacal_gen.instrument.instrument import Instrument
-from deltacal_gen.instrument.kind import Frame, Kind, Look
-from deltacal_gen.instrument.readings import Readings
+from deltacal_gen.instrument.facts import Look
+from deltacal_gen.instrument.kind import Frame, Instrument, Kind, Readings
 from deltacal_gen.machine.registry import Array, Machine, mechanism_of
 from deltacal_gen.machine.values import Measurement, Recording, Robot
 
 if TYPE_CHECKING:
-    from deltacal_gen.files.sidecar import Camera
+    from deltacal_gen.machine.values import Camera
 
 TURN, AT, LAID, ORIGIN = slice(0, 9), slice(9, 12), slice(12, 21), slice(21, 24)  # places in the state
 SCALE, LENS, RIDES = 24, slice(25, 34), 34

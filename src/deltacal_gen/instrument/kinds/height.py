@@ -7,13 +7,13 @@ from typing import ClassVar
 
 import numpy as np
 
-from deltacal_gen.instrument.kind import Kind, Look
+from deltacal_gen.instrument.facts import Look
+from deltacal_gen.instrument.kind import Kind, Readings
 from deltacal_gen.instrument.kinds import together
 from deltacal_gen.instrument.kinds.distance import KIND as DISTANCE
-from deltacal_gen.instrument.readings import Readings, poses_of
 from deltacal_gen.instrument.several import Several
 from deltacal_gen.machine.registry import Machine
-from deltacal_gen.machine.values import Recording
+from deltacal_gen.machine.values import Recording, poses_of
 
 
 @dataclass(frozen=True)

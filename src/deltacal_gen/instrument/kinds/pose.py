@@ -9,11 +9,10 @@ from typing import ClassVar
 
 import numpy as np
 
-from deltacal_gen.instrument.instrument import Instrument
-from deltacal_gen.instrument.kind import Kind, Look
+from deltacal_gen.instrument.facts import Look
+from deltacal_gen.instrument.kind import Instrument, Kind, Readings
 from deltacal_gen.instrument.kinds import position
 from deltacal_gen.instrument.kinds.position import Position, home_of
-from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.registry import Array, Machine
 from deltacal_gen.machine.rotation import from_vector, mean
 from deltacal_gen.machine.values import Measurement, Recording, Robot

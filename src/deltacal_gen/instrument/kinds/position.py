@@ -9,12 +9,11 @@ from typing import ClassVar
 
 import numpy as np
 
-from deltacal_gen.instrument.instrument import Instrument, align
-from deltacal_gen.instrument.kind import Frame, Kind, Look
+from deltacal_gen.instrument.facts import Look
+from deltacal_gen.instrument.kind import Frame, Instrument, Kind, Readings
 from deltacal_gen.instrument.kinds import distance
-from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.registry import Array, Machine
-from deltacal_gen.machine.rotation import from_vector, to_vector
+from deltacal_gen.machine.rotation import align, from_vector, to_vector
 from deltacal_gen.machine.values import Measurement, Recording, Robot
 
 SEEN = 1e-6  # of the length of a line: points that lie so near it do not show how it turns

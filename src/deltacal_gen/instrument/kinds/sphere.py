@@ -11,11 +11,10 @@ import numpy as np
 
 from deltacal_gen.errors import InputError
 from deltacal_gen.instrument import sphere
-from deltacal_gen.instrument.instrument import Instrument, align
-from deltacal_gen.instrument.kind import Frame, Kind, Look
-from deltacal_gen.instrument.readings import Readings
+from deltacal_gen.instrument.facts import Look
+from deltacal_gen.instrument.kind import Frame, Instrument, Kind, Readings
 from deltacal_gen.machine.registry import Array, Machine
-from deltacal_gen.machine.rotation import from_vector
+from deltacal_gen.machine.rotation import align, from_vector
 from deltacal_gen.machine.values import Measurement, Recording, Robot
 from deltacal_gen.units import DEG
 

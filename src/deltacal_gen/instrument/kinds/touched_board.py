@@ -9,10 +9,9 @@ from typing import ClassVar
 
 import numpy as np
 
-from deltacal_gen.instrument.instrument import Instrument
-from deltacal_gen.instrument.kind import Frame, Kind, Look
+from deltacal_gen.instrument.facts import Look
+from deltacal_gen.instrument.kind import Frame, Instrument, Kind, Readings
 from deltacal_gen.instrument.kinds.position import Position
-from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.registry import Array, Machine
 from deltacal_gen.machine.rotation import from_vector
 from deltacal_gen.machine.values import Measurement, Recording, Robot
