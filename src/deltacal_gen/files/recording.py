@@ -207,7 +207,7 @@ def _recording(
     axes = tuple(f"{axis}_mm" for axis in mechanism.axes)
     has_joints = any(_JOINT_LIKE.match(name) for name in rows.columns)
     if allow_targets and not has_joints and set(axes) & set(rows.columns):
-        targets, rows = _targets(rows, mechanism)
+        targets, rows = targets_of(rows, mechanism)
         joints = np.full((len(targets), mechanism.limbs), np.nan)
     else:
         joints = _joints(rows, mechanism)
@@ -279,8 +279,14 @@ def _turns(mechanism: Machine) -> tuple[str, ...]:
     return ROTATION if len(mechanism.axes) == 3 else tuple(f"r{axis}_deg" for axis in mechanism.turns)
 
 
-def _targets(rows: Rows, mechanism: Machine) -> tuple[np.ndarray, Rows]:
-    """Return targets (N, 3) or poses (N, 12), and the rows without their columns."""
+def targets_of(rows: Rows, mechanism: Machine) -> tuple[np.ndarray, Rows]:
+    """Return targets (N, 3), or poses (N, 12) of a machine that turns on command, and the rows without their columns.
+
+    Raises
+    ------
+    InputError
+        Cells are missing, or how the machine shall stand is not said.
+    """
     axes, turns = tuple(f"{axis}_mm" for axis in mechanism.axes), _turns(mechanism)
     targets = np.zeros((len(rows.line), 3))
     given = [axis for axis in axes if f"p{axis[0]}" in mechanism.asks or axis in rows.columns]
