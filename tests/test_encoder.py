@@ -241,7 +241,7 @@ def test_readings_that_are_of_other_rows_are_refused(ask: Any) -> None:
 def test_joints_read_at_one_pose_are_no_repeats() -> None:
     """A gear that is off by 0.4 % at every joint is no noise, though all three are read at each pose."""
     robot, rng = robot_from_dict(UNDRAWN), np.random.default_rng(2)
-    still = simulate(robot, motion(robot), {}, noise_mm=NOISE, rng=rng).subset(np.arange(0, RUNS * EACH, 6))
+    still = simulate(robot, motion(robot), {}, noise=NOISE, rng=rng).subset(np.arange(0, RUNS * EACH, 6))
     still.channels.clear()
     found = diagnose(robot, dataclasses.replace(still, measured=still.measured * 1.004)).answer()
     assert found.noise.source == "declared"

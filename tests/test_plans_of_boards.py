@@ -31,6 +31,12 @@ def planned(run: Run, folder: Path, model: str, kind: str) -> tuple[dict[str, An
     return json.loads(out), np.genfromtxt(path, delimiter=",", names=True), path
 
 
+def declared(path: Path, line: str) -> None:
+    """Add a line to the sidecar of a plan."""
+    sidecar = path.with_suffix(".toml")
+    sidecar.write_text(sidecar.read_text().replace("[measurement]", f"[measurement]\n{line}"))
+
+
 @pytest.mark.parametrize("model", ROBOTS)
 def test_the_tip_touches_points_of_a_flat_print(run: Run, tmp_path: Path, model: str) -> None:
     found, rows, path = planned(run, tmp_path, model, "touched board")
@@ -47,7 +53,8 @@ def test_the_tip_touches_points_of_a_flat_print(run: Run, tmp_path: Path, model:
     read = np.genfromtxt(tmp_path / "read.csv", delimiter=",", names=True)
     assert np.abs(read["board_x_mm"] - on_print[:, 0]).max() < 1.0
     assert np.abs(read["board_z_mm"]).max() < 1.0
-    command = ("study", ROBOTS[model], "--plan", path, "--model", model, "--noise", 0.05, "--trials", 5)
+    declared(path, "sigma_mm = 0.05")
+    command = ("study", ROBOTS[model], "--plan", path, "--model", model, "--trials", 5)
     assert run(*command, "--workers", 1)[0] == 0
 
 
@@ -61,8 +68,16 @@ def test_a_camera_sees_the_board_from_every_pose(run: Run, tmp_path: Path, model
     middle = [read["pose"] == pose for pose in np.unique(read["pose"])]
     uv = np.array([[read["u_px"][own].mean(), read["v_px"][own].mean()] for own in middle])
     assert ((uv > 0) & (uv < [1280, 1024])).all()  # the camera is off by its mount's ordinary errors
-    command = ("study", ROBOTS[model], "--plan", path, "--model", model, "--noise", 0.05, "--trials", 5)
-    assert run(*command, "--workers", 1)[0] == 0
+    assert (tmp_path / "read.toml").read_text().split()[-3:] == ["sigma_px", "=", "0.05"]
+    command = ("study", ROBOTS[model], "--plan", path, "--model", model, "--trials", 5, "--workers", 1, "--json")
+    code, _, said = run(*command)
+    assert code == 3
+    assert "Add sigma_px to the sidecar" in said
+    told = json.loads(run(*command, "--noise", 0.05)[1])
+    assert told["sigma_px"] == pytest.approx(0.05)
+    assert told["sigma_mm"] == pytest.approx(0.05 * told["unit_mm"])
+    declared(path, "sigma_px = 0.05")
+    assert json.loads(run(*command)[1]) == told
 
 
 def test_an_arm_looks_at_one_point_tilted_and_from_several_distances() -> None:

@@ -167,8 +167,7 @@ class Instrument:
 
     def unit(self, columns: Sequence[str]) -> tuple[str, float] | None:
         """Return the unit of readings in columns of a file and what it is at the platform [mm]; None of lengths."""
-        names = {name.rpartition("_")[2] for name in columns}
-        name = "mm" if "mm" in names or not names else min(names)
+        name = self.kind.unit_in(columns)
         return None if name == "mm" else (name, self.scale * (DEG if name == "deg" else 1.0))
 
     def kept(self, setups: Sequence[str], zero: str, columns: Sequence[str] = ()) -> InstrumentState:

@@ -26,6 +26,7 @@ from deltacal_gen.machine.values import Measurement, Recording, Robot
 from deltacal_gen.results.result import TouchedPoint
 
 STARTS = 20  # steps of the instrument alone, from where its file lets it stand
+TURN_MM = 100.0  # at which a measured turn of 1 rad counts as a shift: what 6D trackers read, 0.01 mm beside 0.006 deg
 STARTED = 1e-12  # of a step's square: smaller ones change nothing
 
 Frame = tuple[Array, Array]  # rotation vector [rad] and origin [mm] of {O} in the instrument's frame
@@ -186,6 +187,11 @@ class Kind:
         """Unit of the values in files: mm, deg or px."""
         unit: str = self.kernels.COLUMNS[0].rpartition("_")[2]
         return unit
+
+    def unit_in(self, columns: Collection[str]) -> str:
+        """Return the unit in files of readings in some columns, in which their noise counts; mm where some are."""
+        units = {name.rpartition("_")[2] for name in columns}
+        return "mm" if "mm" in units or not units else min(units)
 
     @property
     def scale(self) -> float:

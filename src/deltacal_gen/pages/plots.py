@@ -91,9 +91,16 @@ def _comparison(found: Comparison) -> Sheet:
 
 
 def _study(found: Study) -> Sheet:
+    if found.position is None or found.advice is None:
+        from deltacal_gen.pages import studies
+
+        tried = studies.tried(found.suspects)
+        figure, axes = figures.sheet(1, 1, (7.4, 0.9 + 0.3 * len(tried)))
+        figures.chances(axes, tried)
+        return figure
     figure, (spread, more) = figures.sheet(1, 2, (10, 3.5))
-    figures.before_and_after(spread, found)
-    figures.enough(more, found)
+    figures.before_and_after(spread, found.position)
+    figures.enough(more, found.advice)
     return figure
 
 

@@ -46,7 +46,7 @@ class Study:
     errors : tuple of str
         Source errors that machines have.
     sigma, turn_sigma : float
-        Noise per coordinate [mm] and of rotations [rad].
+        Noise per coordinate [mm], of images and encoders at the platform, and of rotations [rad].
     suspects : tuple of tuple of Term
         Each what one machine has beside its geometry.
     seed : int
@@ -64,7 +64,7 @@ class Study:
 
     def prepare(self) -> None:
         """Work out what all machines share."""
-        self.check  # noqa: B018
+        self.problem if self.sees_joints else self.check  # noqa: B018
 
     def machines(self, index: int, count: int) -> Machines:
         """Simulate and calibrate machines; see `machines`."""
@@ -129,6 +129,11 @@ class Study:
     def instrument(self) -> Instrument:
         """The instrument as it stands before the first machine is measured."""
         return self.problem.begin(self.problem.reference)
+
+    @property
+    def sees_joints(self) -> bool:
+        """Whether joints are read, so that no source error is seen and nothing calibrated."""
+        return self.problem.readings.kind.sees_joints
 
     @property
     def known_frame(self) -> bool:

@@ -20,7 +20,7 @@ from deltacal_gen.identification.identifiability import (
     observability,
 )
 from deltacal_gen.instrument.instrument import Instrument
-from deltacal_gen.instrument.kind import Kind
+from deltacal_gen.instrument.kind import TURN_MM, Kind
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.instrument.kinds import names as kind_names
 from deltacal_gen.instrument.readings import Readings
@@ -46,7 +46,6 @@ SCALINGS = {
 }
 FEWEST = 3  # poses of a ring: rule (21)
 GENERIC_POSES = 60  # without any symmetry, for what poses can see at all
-TURN_MM = 100.0  # at which a measured turn of 1 rad counts as a shift: what 6D trackers read, 0.01 mm beside 0.006 deg
 
 
 @dataclass(frozen=True)

@@ -17,7 +17,7 @@ from deltacal_gen.identification.identifiability import (
     column_convention,
     observability,
 )
-from deltacal_gen.instrument.kind import Kind
+from deltacal_gen.instrument.kind import TURN_MM, Kind
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.machine.values import Measurement
@@ -26,7 +26,6 @@ from deltacal_gen.planning.matrix import (
     KINDS,
     NORMS,
     SCALINGS,
-    TURN_MM,
     Mount,
     Plan,
     Prediction,

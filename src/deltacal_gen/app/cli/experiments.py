@@ -23,6 +23,7 @@ from deltacal_gen.app.cli.common import (
 
 MOST_NOTES = 4  # on the screen
 if TYPE_CHECKING:
+    from deltacal_gen.machine.values import Recording
     from deltacal_gen.results.motion import MotionPlan
     from deltacal_gen.results.plan import Plan
 
@@ -164,7 +165,9 @@ def simulate(
     ],
     output: Annotated[Path, typer.Option("-o", "--output", help="the recording to write")],
     truth: Annotated[Path | None, typer.Option(help="TRUTH.toml: the true errors", show_default=False)] = None,
-    noise: Annotated[float, typer.Option(help="standard deviation per coordinate, mm")] = 0.0,
+    noise: Annotated[
+        float, typer.Option(help="standard deviation of a reading, in its unit (mm, px, deg; Nm, N, A)")
+    ] = 0.0,
     seed: Annotated[int, typer.Option(help="of noise and unknown frame")] = 0,
     blocks: Blocks = False,
     decimal: Decimal = None,
@@ -176,15 +179,30 @@ def simulate(
 
     if blocks:
         rows = commands.simulate_blocks(robot, poses, output, truth=truth, noise=noise, seed=seed)
-        kind, what = None, "readings"
+        kind, what, noisy = None, "readings", None
     else:
         done = commands.simulate(robot, poses, output, truth=truth, noise=noise, seed=seed)
         rows = done.n_rows if done.pairs is None else len(done.pairs)
-        kind, what = done.kind, f"readings of the kind {done.kind}"
+        kind, what, noisy = done.kind, f"readings of the kind {done.kind}", _noise_told(done, noise)
     if as_json:
         print_json(Simulated(recording=str(output), readings=rows, kind=kind))
     else:
         screen.print(f"{rows} {what} written to {output}")
+        if noisy is not None:
+            screen.print(noisy)
+
+
+def _noise_told(done: Recording, noise: float) -> str | None:
+    """Say in which unit noise was taken, where that is not mm alone."""
+    from deltacal_gen.instrument.kinds import kind_of
+
+    if not noise or done.kind == "torque":
+        return None
+    kind, turns = kind_of(done.kind), done.measurement.sigma_deg
+    if kind.rotations:
+        return f"noise: {noise:g} mm of positions, {turns:.3g} deg of rotations"
+    unit = kind.unit_in(done.columns)
+    return None if unit == "mm" else f"noise: {noise:g} {unit} of each reading"
 
 
 def next_(

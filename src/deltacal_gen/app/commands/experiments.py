@@ -131,7 +131,8 @@ def simulate(
     truth : path or mapping
         TRUTH.toml, or source errors by name [mm, rad].
     noise : float
-        Standard deviation per coordinate [mm]; in motion that of a reading in its unit.
+        Standard deviation of a reading in its unit: per coordinate mm, px or deg; in motion Nm, N or A. Rotations
+        beside lengths have the sidecar's `sigma_deg`, or what 100 mm from the measured point is such a shift.
     seed : int
         Of noise and of an unknown instrument frame.
     """
@@ -139,7 +140,7 @@ def simulate(
 
     check_output(output, robot, poses, truth, ending=(".csv",))
     if not (noise >= 0 and np.isfinite(noise)) or seed < 0:
-        raise UsageError("noise must be a number of mm that is not negative, and seed an integer from 0.")
+        raise UsageError("noise must be a number that is not negative, and seed an integer from 0.")
     if (moving := in_motion(poses)) is not None:
         if isinstance(truth, Mapping):
             raise UsageError("the truth of a recording in motion is a file, TRUTH.toml.")
@@ -157,8 +158,7 @@ def simulate(
         robot,
         given,
         errors,
-        noise_mm=noise,
-        noise_rad=given.measurement.sigma_rad or 0.0 if noise else 0.0,
+        noise=noise,
         rng=np.random.default_rng(seed),
         terms=terms,
     )
@@ -209,7 +209,7 @@ def simulate_blocks(
     robot, errors, terms = _truth(as_robot(robot), truth)
     if terms:
         raise UsageError("effects are not simulated in blocks; leave --blocks out.")
-    return streams.simulate(robot, poses, output, errors, noise_mm=noise, rng=np.random.default_rng(seed))
+    return streams.simulate(robot, poses, output, errors, noise=noise, rng=np.random.default_rng(seed))
 
 
 def _truth(
