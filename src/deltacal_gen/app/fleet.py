@@ -28,23 +28,36 @@ from deltacal_gen.execution import Outcome, Store, Task, Told, content_key, run
 from deltacal_gen.files.points import is_table_of_joints
 from deltacal_gen.files.recording import is_recording
 from deltacal_gen.files.writing import csv_text, write_files
+from deltacal_gen.motion import kinds
 from deltacal_gen.pages import report
 from deltacal_gen.physics.law import PREFIX, load_law
 from deltacal_gen.results.base import Answer, Json
 from deltacal_gen.results.batch import (
     Action,
     Batch,
+    DiagnosedDrivesRow,
     DiagnosedRow,
     Done,
     FailedRow,
+    IdentifiedDrivesRow,
     IdentifiedRow,
     Moved,
     Row,
+    ValidatedDrivesRow,
     ValidatedRow,
     common,
+    in_table,
     worst,
 )
 from deltacal_gen.results.diagnosis import Diagnosis, Geometry, LawTerm, Verdict
+from deltacal_gen.results.motion import (
+    MotionDiagnosis,
+    MotionModel,
+    MotionResult,
+    MotionValidation,
+    by_joint,
+    by_limb,
+)
 from deltacal_gen.results.reader import read_answer
 from deltacal_gen.results.result import Result
 from deltacal_gen.results.shown import rounded
@@ -52,12 +65,18 @@ from deltacal_gen.results.validation import Validation
 from deltacal_gen.use.comparison import compare
 
 ROWS: Mapping[Action, type[Done]] = {"diagnose": DiagnosedRow, "identify": IdentifiedRow, "validate": ValidatedRow}
+DRIVES: Mapping[Action, type[Done]] = {
+    "diagnose": DiagnosedDrivesRow,
+    "identify": IdentifiedDrivesRow,
+    "validate": ValidatedDrivesRow,
+}
 ACTIONS = tuple(ROWS)
 FIGURES = "figures"  # key beside those of an answer, in what a task keeps
 ROBOT = "robot.toml"
 RESULT = "result.json"  # beside the robot: what its recordings are validated against
 PAGES = "pages"  # of single recordings, in the run directory
 TABLES = (".csv", ".tsv", ".xlsx", ".xlsm", ".parquet")
+OWN = (".toml", ".distances.csv", ".instrument.csv")  # ends of the names of files that belong to a recording
 BESIDE = (".distances", ".instrument")  # ends of the names of tables that belong to a recording
 LAST = "last.json"  # which files each recording was and which task, the last time that all were done
 CONFIGS = ("config-override.g", "config.g")  # of RepRapFirmware: M500 writes the first, which then holds
@@ -127,13 +146,13 @@ def find(folder: str | Path, action: str = "diagnose", machine: str | None = Non
     _machine_of("", machine)
     found: list[Job | Session] = []
     for place in _folders(folder):
-        tables = [t for t in sorted(place.glob("*.csv")) if not t.name.endswith(".distances.csv")]
-        recordings = [t for t in tables if is_recording(t)]
+        tables = [t for t in sorted(place.glob("*.csv")) if not t.name.endswith(OWN)]
+        recordings = [t for t in tables if is_recording(t) or kinds.is_recording(t)]
         robot = place / ROBOT
         for table in recordings:
             label = table.relative_to(folder).as_posix()
             files = {ROBOT: robot, "recording.csv": table}
-            for ending in (".toml", ".distances.csv"):
+            for ending in OWN:
                 if table.with_suffix(ending).exists():
                     files[f"recording{ending}"] = table.with_suffix(ending)
             refused = None if robot.exists() else f"there is no {ROBOT} beside it."
@@ -245,7 +264,7 @@ def unpack(kind: str, files: Contents) -> Json:
             made = IMPORTS[kind](*(folder / name for name in files), output=out)
         recordings = {}
         for name in made.recordings:
-            ends = (".csv", ".toml", ".distances.csv")
+            ends = (".csv", *OWN)
             parts = {f"recording{e}": (out / f"{name}{e}") for e in ends if (out / f"{name}{e}").exists()}
             recordings[name] = {n: p.read_text(encoding="utf-8") for n, p in {ROBOT: out / ROBOT, **parts}.items()}
         return {"recordings": recordings, "warnings": list(made.warnings)}
@@ -269,12 +288,16 @@ def do(action: str, model: str | None, files: Contents) -> Json:
             (folder / name).write_bytes(content)
         robot, recording = folder / ROBOT, folder / "recording.csv"
         with _own_names():
+            moving = kinds.in_motion(recording) is not None
+            model = None if moving else model  # of the geometry
             if action == "validate":
                 return _with_figures(commands.validate(folder / RESULT, recording))
             if action == "identify":
                 return _with_figures(commands.identify(robot, recording, model))
             found = commands.diagnose(robot, recording, model=model)
-            if found.verdict is Verdict.ADEQUATE:  # else what is left out would be taken for parts that moved
+            if (
+                found.verdict is Verdict.ADEQUATE and not moving
+            ):  # else what is left out would be taken for parts that moved
                 with suppress(DeltacalError):
                     calibrated = commands.identify(robot, recording, model)
                     geometry = Geometry(robot=calibrated.robot, parameters=calibrated.parameters)
@@ -282,7 +305,7 @@ def do(action: str, model: str | None, files: Contents) -> Json:
             return _with_figures(found)
 
 
-def _with_figures(found: Diagnosis | Result | Validation) -> Json:
+def _with_figures(found: Answer) -> Json:
     """Return an answer's JSON with its figures for the table: the one process that writes it reads no answers."""
     return found | {FIGURES: _figures(found)}
 
@@ -328,7 +351,7 @@ def conduct(
     )
     lines = [row.to_dict() for row in rows]
     columns = list(dict.fromkeys(name for line in lines for name in line))
-    table = {c: ["" if line.get(c) is None else line[c] for line in lines] for c in columns}
+    table = {c: [in_table(getattr(row, c, None)) for row in rows] for c in columns}
     write_files(
         {
             directory / "table.csv": csv_text(table),
@@ -408,8 +431,10 @@ def _place_of(term: LawTerm) -> str:
     return f"{term.target}({', '.join(states)})"
 
 
-def _figures(found: Diagnosis | Result | Validation) -> Json:
+def _figures(found: Answer) -> Json:
     """Return what the table says of an answer, by the fields of its row."""
+    if isinstance(found, MotionDiagnosis | MotionResult | MotionValidation):
+        return _figures_of_drives(found)
     if isinstance(found, Diagnosis):
         return {
             "verdict": str(found.verdict),
@@ -428,16 +453,43 @@ def _figures(found: Diagnosis | Result | Validation) -> Json:
             "fitted_mm": found.train_rms_mm,
             "noise_mm": found.sigma_mm,
         }
+    assert isinstance(found, Validation)
     return {"after_mm": found.rms_mm, "worst_mm": found.worst_mm, "chi2_per_dof": found.chi2_per_dof}
+
+
+def _figures_of_drives(found: MotionDiagnosis | MotionResult | MotionValidation) -> Json:
+    """Return what the table says of an answer in motion."""
+    if isinstance(found, MotionValidation):
+        return {
+            "unit_by_joint": found.unit_by_joint,
+            "after_by_joint": found.rms_by_joint,
+            "readings": found.readings,
+            "chi2_per_dof": found.chi2_per_dof,
+        }
+    said = {
+        "unit_by_joint": found.final.unit_by_joint,
+        "after_by_joint": found.final.heldout_rms_by_joint,
+        "noise_by_joint": found.noise.sigma_by_joint,
+    }
+    if isinstance(found, MotionResult):
+        return said | {"model": found.model, "fitted_by_joint": found.final.train_rms_by_joint}
+    return said | {
+        "verdict": str(found.verdict),
+        "effects": "; ".join(f"{e.name} {' '.join(map(str, e.limbs))}".strip() for e in found.effects),
+        "model": found.baseline.model,
+        "before_by_joint": found.baseline.heldout_rms_by_joint,
+        "law": "; ".join(dict.fromkeys(map(_place_of, found.laws[0].terms))) if found.laws else None,
+    }
 
 
 def _row(action: Action, job: Job, outcome: Outcome) -> Row:
     """Return a recording's line of the table."""
     if outcome.result is None:
         return FailedRow(recording=job.label, machine=job.machine, error=outcome.error or "")
-    figures = outcome.result[FIGURES]
+    figures: Json = {k: tuple(v) if isinstance(v, list) else v for k, v in outcome.result[FIGURES].items()}
     warnings = " ".join(job.warnings) or None
-    return ROWS[action](recording=job.label, machine=job.machine, **figures, error=None, warnings=warnings)
+    of = DRIVES if "unit_by_joint" in figures else ROWS
+    return of[action](recording=job.label, machine=job.machine, **figures, error=None, warnings=warnings)
 
 
 # ------------------------------------------------------------------------------------------------------ for readers
@@ -458,10 +510,18 @@ def write_pages(found: Batch, directory: Path) -> dict[str, str]:
         if not (directory / place).exists():
             (directory / PAGES).mkdir(exist_ok=True)
             answer = read_answer(kept["result"])
-            text = report.calibration(answer) if isinstance(answer, Result) else report.diagnosis(cast("Any", answer))
-            write_files({directory / place: text})
+            write_files({directory / place: _page(answer)})
         links[row.recording] = place.as_posix()
     return links
+
+
+def _page(answer: Answer) -> str:
+    """Return the page of a recording."""
+    if isinstance(answer, MotionResult | MotionDiagnosis):
+        from deltacal_gen.pages import motion
+
+        return motion.motion(answer)
+    return report.calibration(answer) if isinstance(answer, Result) else report.diagnosis(cast("Any", answer))
 
 
 # ------------------------------------------------------------------------------------------------------ what changed
@@ -501,19 +561,21 @@ def _changed(
                 text = _moved(read_answer(old["result"]), read_answer(new["result"]))
             except InputError as error:  # other machines, or a run of another version
                 text = str(error)
-            changed.append(Moved(machine=job.machine, from_=label, to=job.label, text=text))
+            if text is not None:
+                changed.append(Moved(machine=job.machine, from_=label, to=job.label, text=text))
     return tuple(changed)
 
 
-def _moved(old: Answer, new: Answer) -> str:
+def _moved(old: Answer, new: Answer) -> str | None:
+    """Return in words what is other than it was; None of answers that have nothing in common, at rest and in motion."""
+    if type(old) is not type(new):
+        return None
+    if isinstance(old, MotionModel | MotionValidation):
+        return _moved_drives(old, new)
     if isinstance(old, Result) and isinstance(new, Result):
         return compare(old, new).summary
     if isinstance(old, Diagnosis) and isinstance(new, Diagnosis):
-        names = [sorted(e.name for e in r.effects) for r in (old, new)]
-        gone, come = (sorted(set(a) - set(b)) for a, b in (names, names[::-1]))
-        parts = [f"{old.verdict} became {new.verdict}"] if old.verdict != new.verdict else []
-        parts += [f"{name} appeared" for name in come] + [f"{name} is gone" for name in gone]
-        parts += [
+        parts = _named_otherwise(old, new) + [
             f"{name} of {effect} was {rounded(was, std)[0]}, is {' +- '.join(rounded(now, std))} {unit}"
             for effect, name, was, now, std, unit in _grown(old, new)
         ]
@@ -525,6 +587,26 @@ def _moved(old: Answer, new: Answer) -> str:
         return f"{text} {compare(old.geometry, new.geometry).summary}"
     was, now = (r.rms_mm if isinstance(r, Validation) else 0.0 for r in (old, new))
     return f"error {was:.4f} -> {now:.4f} mm."
+
+
+def _named_otherwise(old: Diagnosis | MotionDiagnosis, new: Diagnosis | MotionDiagnosis) -> list[str]:
+    """Return in words how verdict and names differ."""
+    names = [sorted(e.name for e in r.effects) for r in (old, new)]
+    gone, come = (sorted(set(a) - set(b)) for a, b in (names, names[::-1]))
+    parts = [f"{old.verdict} became {new.verdict}"] if old.verdict != new.verdict else []
+    return parts + [f"{name} appeared" for name in come] + [f"{name} is gone" for name in gone]
+
+
+def _moved_drives(old: Answer, new: Answer) -> str:
+    """Return in words what is other in motion: names, and what is left joint by joint."""
+    said = ""
+    if isinstance(old, MotionDiagnosis) and isinstance(new, MotionDiagnosis):
+        said = f"{'; '.join(_named_otherwise(old, new)) or f'still {new.verdict}'}; "
+    if isinstance(old, MotionValidation) and isinstance(new, MotionValidation):
+        left = [by_limb(zip(r.rms_by_joint, r.unit_by_joint, strict=True)) for r in (old, new)]
+        return f"error {left[0]} -> {left[1]}."
+    finals = [r.final for r in (old, new) if isinstance(r, MotionResult | MotionDiagnosis)]
+    return f"{said}held out {by_joint(finals[0])} -> {by_joint(finals[1])}."
 
 
 def _grown(old: Diagnosis, new: Diagnosis) -> list[tuple[str, str, float, float, float, str]]:

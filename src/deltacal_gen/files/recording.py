@@ -19,7 +19,17 @@ import numpy as np
 
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.checks import check_home, check_repeats, impossible
-from deltacal_gen.files.columns import APPROACH, CHANNEL, JOINT, MEASURED, ONE_SETUP, RESERVED, TOOL, distances_path
+from deltacal_gen.files.columns import (
+    APPROACH,
+    CHANNEL,
+    JOINT,
+    MEASURED,
+    ONE_SETUP,
+    RESERVED,
+    TOOL,
+    distances_path,
+    instrument_path,
+)
 from deltacal_gen.files.dialect import LOOKED_AT
 from deltacal_gen.files.rows import Rows, csv_blocks, number_of, parquet_blocks, read_csv, read_table
 from deltacal_gen.files.sidecar import Sidecar, measurement_of, read_sidecar
@@ -487,7 +497,7 @@ def _with_pairs(recording: Recording, pairs: Rows, rows: Rows, need_measured: bo
 
 
 def is_recording(path: Path) -> bool:
-    """Tell whether a table holds joints and at least one reading; its values are not judged."""
+    """Tell whether a table holds joints, and it or a file that belongs to it a reading; its values are not judged."""
 
     def filled(table: Path, joints: bool) -> bool:
         for rows in csv_blocks(table, LOOKED_AT):
@@ -497,8 +507,8 @@ def is_recording(path: Path) -> bool:
                 return True
         return False
 
-    distances = path.with_suffix(".distances.csv")
     try:
-        return filled(path, True) or (distances.exists() and filled(distances, False))
+        own = (distances_path(path), instrument_path(path))
+        return filled(path, True) or any(beside.exists() and filled(beside, False) for beside in own)
     except InputError:
         return False

@@ -166,7 +166,7 @@ def batch(
 ) -> None:
     """Identify, validate or diagnose many recordings; what is done is not done again."""
     from deltacal_gen.app import commands
-    from deltacal_gen.results.batch import ASIDE, alike, worst
+    from deltacal_gen.results.batch import ASIDE, alike, in_table, worst
 
     with counting(as_json) as told:
         found = commands.batch(
@@ -180,7 +180,7 @@ def batch(
     table = Table(*[Column(c.replace("_", " "), overflow="fold") for c in columns])
     for r in worst(rows, MOST_LINES):
         cells = [getattr(r, c, None) for c in columns]
-        table.add_row(*[number(c) if isinstance(c, float) else str(c if c is not None else "") for c in cells])
+        table.add_row(*[number(c) if isinstance(c, float) else str(in_table(c)) for c in cells])
     screen.print(table)
     if len(rows) > MOST_LINES:
         screen.print(f"These are the {MOST_LINES} with the largest errors.")
