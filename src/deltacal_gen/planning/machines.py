@@ -199,8 +199,10 @@ class Linear(Factored):
 def rows_of(study: Study, problem: Problem) -> tuple[Array, Array]:
     """Return a problem's readings by its unknowns (M, n + m) and by all source errors (M, n_p), in units of noise."""
     everything = problem.with_names([p.name for p in problem.mechanism.parameters])
-    state = everything.linearise(problem.reference, problem.begin(problem.reference))
+    instrument = problem.begin(problem.reference)
+    state = everything.linearise(problem.reference, instrument)
     both = np.concatenate([state.J_p, state.J_m], axis=2) / study.noise(state.J_p.shape[1])[:, None]
+    both[np.isnan(instrument.residual(problem.readings, problem.poses(problem.reference)))] = 0.0  # not read
     flat, n_p = np.nan_to_num(both).reshape(-1, both.shape[2]), len(problem.mechanism.parameters)
     return np.hstack([flat[:, problem.columns], flat[:, n_p:]]), flat[:, :n_p]
 

@@ -242,7 +242,7 @@ def _with_frame(task: Task, poses: Poses) -> tuple[Array, Array, Array]:
         instrument = dataclasses.replace(instrument, state=np.tile(instrument.state, (poses.points, 1)))
     moved = sensitivity(task.robot, poses, task.names) * column_convention(task.robot, task.names, "typical")[0]
     J, F = linearise(found, instrument, poses.x, moved)
-    return J, F / np.linalg.norm(F, axis=(0, 1)), found.rows[:, 0]
+    return J, F / np.where((size := np.linalg.norm(F, axis=(0, 1))) > 0, size, 1.0), found.rows[:, 0]
 
 
 def bases(task: Task, poses: Poses) -> tuple[Array, Array]:

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 Measured = Annotated[
     str | None,
     typer.Option(
-        help="what will be measured: distance, position, pose, gauge, torque, 'board image' or 'touched board'",
+        help="what is measured: distance, position, pose, gauge, encoder, torque, 'board image' or 'touched board'",
         show_default=False,
     ),
 ]
@@ -80,6 +80,10 @@ def plan(
         int | None, typer.Option(help="so many D-optimal poses instead of rings", show_default=False)
     ] = None,
     singular: Singular = None,
+    positions: Annotated[
+        int | None, typer.Option(help="one axis, or kind encoder: reached from both sides", show_default=False)
+    ] = None,
+    cycles: Annotated[int | None, typer.Option(help="one axis: forth and back; default 5", show_default=False)] = None,
     runs: Annotated[int, typer.Option(help="kind torque: movements, each a run")] = 3,
     period: Annotated[float, typer.Option(help="kind torque: of each movement, s")] = 10.0,
     harmonics: Annotated[int, typer.Option(help="kind torque: of its Fourier series")] = 5,
@@ -90,6 +94,7 @@ def plan(
 ) -> None:
     """Choose measuring poses: condition number and observability against n, or a D-optimal set."""
     from deltacal_gen.app import commands
+    from deltacal_gen.results.plan import Plan
     from deltacal_gen.units import DEG
 
     if kind == "torque" or (model or "").endswith("/rigid"):
@@ -106,13 +111,18 @@ def plan(
         options |= {"start_angle": start_angle * DEG, "threshold": threshold}
         options |= {"layers": layers.split(",")} if layers else {}
         options |= {"gauge": gauge} if gauge else {}
+    options |= {"positions": positions, "cycles": cycles}
     found = cast("Plan", commands.plan(robot, model, output, optimal=optimal, picture=picture, **options))
     if as_json:
         print_json(found)
         return
-    _show_plan(found)
+    if isinstance(found, Plan):
+        _show_plan(found)
+    else:
+        screen.print(found.headline)
     if output is not None:
-        screen.print(f"{len(found.poses)} targets written to {output}")
+        what = "targets" if isinstance(found, Plan) else "rows"
+        screen.print(f"{len(found.poses)} {what} written to {output}")
 
 
 def _show_trajectory(found: MotionPlan, output: Path | None, as_json: bool) -> None:

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from deltacal_gen.physics.terms import Term
     from deltacal_gen.results.diagnosis import Diagnosis
     from deltacal_gen.results.motion import MotionPlan
-    from deltacal_gen.results.plan import Plan
+    from deltacal_gen.results.plan import CyclePlan, Plan
     from deltacal_gen.results.reader import Given
     from deltacal_gen.results.written import Experiment, Looped, Round
 
@@ -50,13 +50,16 @@ def plan(
 ) -> Plan:
     """Return measuring poses for a model: rings by the paper's rule (21), or a D-optimal set.
 
+    Of one axis, and of kind encoder, the answer is a `results.plan.CyclePlan`: joints that are reached from either
+    side, see `planning.both_sides`.
+
     Of kind torque (or model ``MECHANISM/rigid``) the answer is a `results.motion.MotionPlan`: exciting
     trajectories, see `planning.exciting`.
 
     Parameters
     ----------
     model : str
-        Needed but for kind torque.
+        Needed but for kinds torque and encoder, and a machine that has but one.
     output : path
         The targets as a CSV that `simulate` reads; the trajectory with its sidecar.
     optimal : int
@@ -66,7 +69,7 @@ def plan(
     gauge : path
         A sidecar with ``base_point_mm`` and ``platform_point_mm``: where the ends of a gauge are mounted.
     options
-        Of `planning.plan`, of `optimal.d_optimal`, or of `exciting.exciting`.
+        Of `planning.plan`, of `optimal.d_optimal`, of `exciting.exciting`, or of `both_sides.both_sides`.
     """
     from deltacal_gen.planning import matrix, planning
     from deltacal_gen.planning.optimal import d_optimal
@@ -79,14 +82,25 @@ def plan(
             raise UsageError("trajectories are planned without --optimal and --gauge.")
         options.pop("kind", None)
         return cast("Plan", _exciting(as_robot(robot), output, picture, **options))
+    robot = as_robot(robot)
+    reached = {name: options.pop(name, None) for name in ("positions", "cycles")}
+    if (named := _from_both_sides(robot, options.get("kind"))) is not None and gauge is None:
+        if optimal is not None or picture is not None or options.get("singular") is not None:
+            raise UsageError(
+                "joints that are reached from both sides are planned without --optimal, --singular, --picture."
+            )
+        return cast("Plan", _both_sides(robot, named, output, **reached))
+    if any(value is not None for value in reached.values()):
+        raise UsageError(
+            "positions and cycles are of one axis and of kind encoder; poses have their number by --optimal."
+        )
     if model is None:
-        robot = as_robot(robot)
         model, *others = mechanism_of(robot).models
         if others:
             raise UsageError(
                 f"give the model whose parameters the poses shall tell: --model {', '.join((model, *others))}."
             )
-    robot = for_model(as_robot(robot), model)
+    robot = for_model(robot, model)
     if gauge is not None and optimal is not None:
         raise UsageError("D-optimal sets are chosen for positions and distances, not for a gauge.")
     if gauge is not None:
@@ -98,6 +112,26 @@ def plan(
         from deltacal_gen.pages import plans
 
         plans.figure(found, picture)
+    return found.answer()
+
+
+def _from_both_sides(robot: Robot, kind: str | None) -> str | None:
+    """Return the kind of readings for which joints are gone through from both sides; None of any other."""
+    from deltacal_gen.instrument import kinds
+
+    name = next((n for n in kinds.names() if kind in (n, *kinds.kind_of(n).aliases)), kind)
+    if name in kinds.names() and kinds.kind_of(name).sees_joints:
+        return name
+    return "position" if mechanism_of(robot).limbs == 1 and name in (None, "position") else None
+
+
+def _both_sides(robot: Robot, kind: str, output: Source | None, **options: Any) -> CyclePlan:
+    """Return joints that are reached from both sides, written where asked."""
+    from deltacal_gen.planning import both_sides
+
+    found = both_sides.both_sides(robot, kind, **options)
+    if output is not None:
+        both_sides.write_rows(found, output)
     return found.answer()
 
 
