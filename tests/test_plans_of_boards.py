@@ -13,6 +13,7 @@ from conftest import Run
 
 from deltacal_gen.errors import NoSolutionError
 from deltacal_gen.files.robot import read_robot
+from deltacal_gen.files.sidecar import read_measurement
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.planning import boards
 
@@ -78,6 +79,31 @@ def test_a_camera_sees_the_board_from_every_pose(run: Run, tmp_path: Path, model
     assert told["sigma_mm"] == pytest.approx(0.05 * told["unit_mm"])
     declared(path, "sigma_px = 0.05")
     assert json.loads(run(*command)[1]) == told
+
+
+@pytest.mark.parametrize("model", ROBOTS)
+def test_a_fixed_camera_sees_the_board_on_the_platform(run: Run, tmp_path: Path, model: str) -> None:
+    said, path = tmp_path / "said.toml", tmp_path / "plan.csv"
+    lens = 'place = "fixed"\nfx_px = 900.0\nfy_px = 900.0\ncx_px = 600.0\ncy_px = 500.0\n'
+    said.write_text(f'[measurement]\nkind = "board image"\nsigma_px = 0.2\n[measurement.camera]\n{lens}')
+    command = ("plan", ROBOTS[model], "--model", model, "--sidecar", said, "--optimal", COUNT, "-o", path)
+    code, _, why = run(*command)
+    assert code == 0, why
+    camera = read_measurement(path.with_suffix(".toml")).camera
+    assert camera is not None
+    assert (camera.place, camera.fx_px) == ("fixed", 900.0)
+    rows = np.genfromtxt(path, delimiter=",", names=True)
+    assert len(np.unique(rows["pose"])) == COUNT
+    assert run("simulate", ROBOTS[model], path, "-o", tmp_path / "read.csv", "--noise", 0.2)[0] == 0
+    read = np.genfromtxt(tmp_path / "read.csv", delimiter=",", names=True)
+    middle = [read["pose"] == pose for pose in np.unique(read["pose"])]
+    uv = np.array([[read["u_px"][own].mean(), read["v_px"][own].mean()] for own in middle])
+    assert ((uv > 0) & (uv < [1200, 1000])).all()
+    study = ("study", ROBOTS[model], "--plan", path, "--model", model, "--trials", 60, "--workers", 1, "--json")
+    told = json.loads(run(*study)[1])
+    after = told["position"]["after"]
+    assert after["rms_mm"] == pytest.approx(after["predicted_rms_mm"], rel=0.25)
+    assert after["rms_mm"] < 0.7 * told["position"]["before"]["rms_mm"]
 
 
 def test_an_arm_looks_at_one_point_tilted_and_from_several_distances() -> None:

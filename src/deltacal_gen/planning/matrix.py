@@ -127,6 +127,8 @@ class Task:
         Reference points in {O'} [mm].
     mount : Mount or None
         Of a gauge.
+    said : Measurement
+        What the sidecar of the readings will say: where a camera is, what of its lens is known.
     """
 
     robot: Robot
@@ -138,6 +140,7 @@ class Task:
     dropped: tuple[str, ...]
     tools: Array
     mount: Mount | None = field(default=None, kw_only=True)
+    said: Measurement = field(default=Measurement(), kw_only=True)
 
     def step(self, n: int, poses: Poses, before: float = math.inf) -> Step:
         """Return the figures of a set of poses; `before` is the condition number of the last smaller one."""
@@ -152,7 +155,7 @@ class Task:
 
     def _columns(self, poses: Poses) -> Array:
         factors, _ = column_convention(self.robot, self.names, self.scaling)
-        columns: Array = matrix_of(self.robot, poses, self.names, kind_of(self.kind), self.mount) * factors
+        columns: Array = matrix_of(self.robot, poses, self.names, kind_of(self.kind), self.mount, self.said) * factors
         return columns
 
     def _condition(self, figures: Observability) -> float:
@@ -233,7 +236,7 @@ class Plan(Task):
                 f"the smallest n with |k(n) - k(n-1)| / k(n) <= {self.threshold:g}."
             )
         elif self.method == "joints":
-            from_where = spread_of(self.robot, kind_of(self.kind))
+            from_where = spread_of(self.robot, kind_of(self.kind), self.said)
             poses = (
                 f"{from_where[0].upper()}{from_where[1:]}; {self.steps[0].n} of them for the largest determinant of "
                 "the information on the model, the frame eliminated, then one by one what adds most; chosen is the "
@@ -375,10 +378,17 @@ def _reachable(robot: Robot, targets: Array, tools: Array) -> Poses:
     return reach(robot, targets[why == ""], tools)[0]
 
 
-def matrix_of(robot: Robot, poses: Poses, names: Sequence[str], kind: Kind, mount: Mount | None = None) -> Array:
+def matrix_of(
+    robot: Robot,
+    poses: Poses,
+    names: Sequence[str],
+    kind: Kind,
+    mount: Mount | None = None,
+    said: Measurement | None = None,
+) -> Array:
     moved = sensitivity(robot, poses, names)
     if mount is None:
-        return read_of(mechanism_of(robot), kind, poses, moved)
+        return read_of(mechanism_of(robot), kind, poses, moved, said)
     return _mounted(robot, poses, names, kind, moved, mount)
 
 
@@ -400,9 +410,9 @@ def _as_mounted(robot: Robot, kind: Kind) -> Robot:
     return dataclasses.replace(robot, errors={k: v for k, v in robot.errors.items() if k not in own})
 
 
-def read_of(mechanism: Machine, kind: Kind, poses: Poses, moved: Array) -> Array:
+def read_of(mechanism: Machine, kind: Kind, poses: Poses, moved: Array, said: Measurement | None = None) -> Array:
     """Return how readings change (rows, n) where the platform moves by `moved` (P, n_x, n); the frame projected out."""
-    found, instrument = kind.imagined(poses.x, poses.points, mechanism, Measurement())
+    found, instrument = kind.imagined(poses.x, poses.points, mechanism, said or Measurement())
     J, J_m = linearise(found, instrument, poses.x, moved)
     J = J.reshape(-1, moved.shape[2])
     return without(J, J_m.reshape(len(J), -1)) if instrument.n_unknown else J

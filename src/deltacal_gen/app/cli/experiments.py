@@ -65,6 +65,10 @@ def plan(
     gauge: Annotated[
         Path | None, typer.Option(help="a sidecar that says where a gauge's ends are mounted", show_default=False)
     ] = None,
+    sidecar: Annotated[
+        Path | None,
+        typer.Option(help="what the readings' sidecar will say: kind, place and lens of a camera", show_default=False),
+    ] = None,
     points: Annotated[
         int | None, typer.Option(help="reference points on the platform, 1 to 3; default as the model needs")
     ] = None,
@@ -111,7 +115,7 @@ def plan(
         options |= {"start_angle": start_angle * DEG, "threshold": threshold}
         options |= {"layers": layers.split(",")} if layers else {}
         options |= {"gauge": gauge} if gauge else {}
-    options |= {"positions": positions, "cycles": cycles}
+    options |= {"positions": positions, "cycles": cycles} | ({"sidecar": sidecar} if sidecar else {})
     found = cast("Plan", commands.plan(robot, model, output, optimal=optimal, picture=picture, **options))
     if as_json:
         print_json(found)

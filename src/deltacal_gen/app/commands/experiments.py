@@ -24,6 +24,7 @@ from deltacal_gen.app.commands.common import (
 )
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.robot import Robot, for_model, for_names
+from deltacal_gen.files.sidecar import read_measurement
 from deltacal_gen.files.writing import csv_text, write_files, write_recording
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Recording
@@ -46,6 +47,7 @@ def plan(
     optimal: int | None = None,
     picture: Source | None = None,
     gauge: Source | None = None,
+    sidecar: Source | None = None,
     **options: Any,
 ) -> Plan:
     """Return measuring poses for a model: rings by the paper's rule (21), or a D-optimal set.
@@ -68,6 +70,8 @@ def plan(
         Condition number against n; of trajectories their course and their limits.
     gauge : path
         A sidecar with ``base_point_mm`` and ``platform_point_mm``: where the ends of a gauge are mounted.
+    sidecar : path
+        What the readings' own will say: ``kind``, and of images ``[measurement.camera]`` with its ``place``.
     options
         Of `planning.plan`, of `optimal.d_optimal`, of `exciting.exciting`, or of `both_sides.both_sides`.
     """
@@ -77,9 +81,13 @@ def plan(
     model = None if model is None else str(model)
     check_output(output, robot)
     check_output(picture, robot, ending=PICTURES)
+    if sidecar is not None:
+        said = read_measurement(sidecar)
+        options["kind"] = options.get("kind") or said.kind
+        options["said"] = said
     if options.get("kind") == "torque" or (model is not None and model.endswith("/rigid")):
-        if optimal is not None or gauge is not None:
-            raise UsageError("trajectories are planned without --optimal and --gauge.")
+        if optimal is not None or gauge is not None or sidecar is not None:
+            raise UsageError("trajectories are planned without --optimal, --gauge and --sidecar.")
         options.pop("kind", None)
         return cast("Plan", _exciting(as_robot(robot), output, picture, **options))
     robot = as_robot(robot)
