@@ -22,6 +22,7 @@ from test_printers import joints, printer_cfg
 from deltacal_gen import InputError, UsageError
 from deltacal_gen.app import commands, fleet
 from deltacal_gen.app.demonstration import example
+from deltacal_gen.app.moved import grown, moved
 from deltacal_gen.files.robot import robot_from_dict, robot_to_toml
 from deltacal_gen.files.writing import write_recording
 from deltacal_gen.pages import report as pages
@@ -119,8 +120,8 @@ def test_an_effect_that_has_grown_is_said() -> None:
         when = EffectParameter(name="time", limb=None, value=60.0 + width, std=None, unit="s")  # found, not fitted
         return found.replace(effects=(found.effects[0].replace(parameters=(part, when)),))
 
-    assert "width of backlash was 0.0200, is 0.0300 +- 0.0014 deg" in fleet._moved(diagnosis(0.02), diagnosis(0.03))
-    assert "width" not in fleet._moved(diagnosis(0.02), diagnosis(0.022))
+    assert "width of backlash was 0.0200, is 0.0300 +- 0.0014 deg" in moved(diagnosis(0.02), diagnosis(0.03))
+    assert "width" not in moved(diagnosis(0.02), diagnosis(0.022))
 
 
 def test_each_measured_point_is_compared_with_itself() -> None:
@@ -135,8 +136,8 @@ def test_each_measured_point_is_compared_with_itself() -> None:
         )
         return found.replace(effects=(found.effects[0].replace(limbs=(), parameters=points),))
 
-    assert fleet._grown(diagnosis(-1.6), diagnosis(-1.6)) == []
-    [(_, name, was, now, *_)] = fleet._grown(diagnosis(-1.6), diagnosis(2.0))
+    assert grown(diagnosis(-1.6), diagnosis(-1.6)) == []
+    [(_, name, was, now, *_)] = grown(diagnosis(-1.6), diagnosis(2.0))
     assert (name, was, now) == ("offset_x of (0, 107, 36)", -1.6, 2.0)
 
 

@@ -11,7 +11,6 @@ from __future__ import annotations
 import functools
 import hashlib
 import json
-import math
 import os
 import re
 import tempfile
@@ -23,6 +22,7 @@ from pathlib import Path
 from typing import Any, cast
 
 from deltacal_gen.app import commands
+from deltacal_gen.app.moved import moved
 from deltacal_gen.errors import DeltacalError, InputError, UsageError
 from deltacal_gen.execution import Outcome, Store, Task, Told, content_key, run
 from deltacal_gen.files.points import is_table_of_joints
@@ -52,17 +52,12 @@ from deltacal_gen.results.batch import (
 from deltacal_gen.results.diagnosis import Diagnosis, Geometry, LawTerm, Verdict
 from deltacal_gen.results.motion import (
     MotionDiagnosis,
-    MotionModel,
     MotionResult,
     MotionValidation,
-    by_joint,
-    by_limb,
 )
 from deltacal_gen.results.reader import read_answer
 from deltacal_gen.results.result import Result
-from deltacal_gen.results.shown import rounded
 from deltacal_gen.results.validation import Validation
-from deltacal_gen.use.comparison import compare
 
 ROWS: Mapping[Action, type[Done]] = {"diagnose": DiagnosedRow, "identify": IdentifiedRow, "validate": ValidatedRow}
 DRIVES: Mapping[Action, type[Done]] = {
@@ -85,7 +80,6 @@ IMPORTS: Mapping[str, Callable[..., Any]] = {
     "rrf": commands.import_rrf,
     "points": commands.import_points,
 }
-CLEAR = 3.0  # standard deviations by which an effect has changed
 LOOKED_AT = 1_000_000  # bytes of a text, to tell what it is
 
 Contents = Mapping[str, bytes]
@@ -558,68 +552,9 @@ def _changed(
             if old is None or new is None or old["result"] is None or new["result"] is None:
                 continue
             try:
-                text = _moved(read_answer(old["result"]), read_answer(new["result"]))
+                text = moved(read_answer(old["result"]), read_answer(new["result"]))
             except InputError as error:  # other machines, or a run of another version
                 text = str(error)
             if text is not None:
                 changed.append(Moved(machine=job.machine, from_=label, to=job.label, text=text))
     return tuple(changed)
-
-
-def _moved(old: Answer, new: Answer) -> str | None:
-    """Return in words what is other than it was; None of answers that have nothing in common, at rest and in motion."""
-    if type(old) is not type(new):
-        return None
-    if isinstance(old, MotionModel | MotionValidation):
-        return _moved_drives(old, new)
-    if isinstance(old, Result) and isinstance(new, Result):
-        return compare(old, new).summary
-    if isinstance(old, Diagnosis) and isinstance(new, Diagnosis):
-        parts = _named_otherwise(old, new) + [
-            f"{name} of {effect} was {rounded(was, std)[0]}, is {' +- '.join(rounded(now, std))} {unit}"
-            for effect, name, was, now, std, unit in _grown(old, new)
-        ]
-        said = "; ".join(parts) or f"still {new.verdict}"
-        before, after = (f"{v:.4f}" if v is not None else "-" for v in (r.final.heldout_rms_mm for r in (old, new)))
-        text = f"{said}; held out {before} -> {after} mm."
-        if old.geometry is None or new.geometry is None:
-            return text
-        return f"{text} {compare(old.geometry, new.geometry).summary}"
-    was, now = (r.rms_mm if isinstance(r, Validation) else 0.0 for r in (old, new))
-    return f"error {was:.4f} -> {now:.4f} mm."
-
-
-def _named_otherwise(old: Diagnosis | MotionDiagnosis, new: Diagnosis | MotionDiagnosis) -> list[str]:
-    """Return in words how verdict and names differ."""
-    names = [sorted(e.name for e in r.effects) for r in (old, new)]
-    gone, come = (sorted(set(a) - set(b)) for a, b in (names, names[::-1]))
-    parts = [f"{old.verdict} became {new.verdict}"] if old.verdict != new.verdict else []
-    return parts + [f"{name} appeared" for name in come] + [f"{name} is gone" for name in gone]
-
-
-def _moved_drives(old: Answer, new: Answer) -> str:
-    """Return in words what is other in motion: names, and what is left joint by joint."""
-    said = ""
-    if isinstance(old, MotionDiagnosis) and isinstance(new, MotionDiagnosis):
-        said = f"{'; '.join(_named_otherwise(old, new)) or f'still {new.verdict}'}; "
-    if isinstance(old, MotionValidation) and isinstance(new, MotionValidation):
-        left = [by_limb(zip(r.rms_by_joint, r.unit_by_joint, strict=True)) for r in (old, new)]
-        return f"error {left[0]} -> {left[1]}."
-    finals = [r.final for r in (old, new) if isinstance(r, MotionResult | MotionDiagnosis)]
-    return f"{said}held out {by_joint(finals[0])} -> {by_joint(finals[1])}."
-
-
-def _grown(old: Diagnosis, new: Diagnosis) -> list[tuple[str, str, float, float, float, str]]:
-    """Return the parameters of effects in both diagnoses that differ by more than noise explains."""
-    was = {(e.name, e.limbs, p.label, p.limb): p for e in old.effects for p in e.parameters}
-    out = []
-    for e in new.effects:
-        for p in e.parameters:
-            before = was.get((e.name, e.limbs, p.label, p.limb))
-            if before is None or before.std is None or p.std is None:  # an order, a time: a constant
-                continue
-            std = math.hypot(before.std, p.std)
-            first, then = float(before.value), float(p.value)
-            if abs(then - first) > CLEAR * std:
-                out.append((e.name, p.label, first, then, std, p.unit))
-    return out

@@ -25,7 +25,7 @@ MOST_NOTES = 4  # on the screen
 if TYPE_CHECKING:
     from deltacal_gen.machine.values import Recording
     from deltacal_gen.results.motion import MotionPlan
-    from deltacal_gen.results.plan import Plan
+    from deltacal_gen.results.plan import CyclePlan, Plan
 
 
 Measured = Annotated[
@@ -51,43 +51,50 @@ Scaling = Annotated[
 ]
 
 
+SidecarFile = Annotated[
+    Path | None,
+    typer.Option(help="what the readings' sidecar will say: kind, place and lens of a camera", show_default=False),
+]
+Positions = Annotated[
+    int | None, typer.Option(help="one axis, or kind encoder: reached from both sides", show_default=False)
+]
+Cycles = Annotated[int | None, typer.Option(help="one axis: forth and back; default 5", show_default=False)]
 Layers = Annotated[
     str | None, typer.Option(help="of the rings: top,middle,bottom; default as the paper", show_default=False)
 ]
 
 
+PlannedModel = Annotated[
+    str | None,
+    typer.Option("--model", help="e.g. delta/18; not needed for kinds torque and encoder", show_default=False),
+]
+GaugeFile = Annotated[
+    Path | None, typer.Option(help="a sidecar that says where a gauge's ends are mounted", show_default=False)
+]
+Points = Annotated[
+    int | None, typer.Option(help="reference points on the platform, 1 to 3; default as the model needs")
+]
+Threshold = Annotated[float, typer.Option(help="relative change of the condition number that the rule tolerates")]
+Optimal = Annotated[int | None, typer.Option(help="so many D-optimal poses instead of rings", show_default=False)]
+
+
 def plan(
     robot: RobotFile,
-    model: Annotated[
-        str | None, typer.Option("--model", help="e.g. delta/18; not needed for kind torque", show_default=False)
-    ] = None,
+    model: PlannedModel = None,
     kind: Measured = None,
-    gauge: Annotated[
-        Path | None, typer.Option(help="a sidecar that says where a gauge's ends are mounted", show_default=False)
-    ] = None,
-    sidecar: Annotated[
-        Path | None,
-        typer.Option(help="what the readings' sidecar will say: kind, place and lens of a camera", show_default=False),
-    ] = None,
-    points: Annotated[
-        int | None, typer.Option(help="reference points on the platform, 1 to 3; default as the model needs")
-    ] = None,
+    gauge: GaugeFile = None,
+    sidecar: SidecarFile = None,
+    points: Points = None,
     start_angle: Annotated[float, typer.Option(help="of the first pose of a ring, deg")] = 0.0,
     layers: Layers = None,
     scaling: Scaling = None,
     norm: Annotated[str, typer.Option(help="of the condition number: spectral or frobenius")] = "spectral",
-    threshold: Annotated[
-        float, typer.Option(help="relative change of the condition number that the rule tolerates")
-    ] = 0.01,
+    threshold: Threshold = 0.01,
     sigma: Annotated[float | None, typer.Option(help="noise, mm: predict what the poses will give")] = None,
-    optimal: Annotated[
-        int | None, typer.Option(help="so many D-optimal poses instead of rings", show_default=False)
-    ] = None,
+    optimal: Optimal = None,
     singular: Singular = None,
-    positions: Annotated[
-        int | None, typer.Option(help="one axis, or kind encoder: reached from both sides", show_default=False)
-    ] = None,
-    cycles: Annotated[int | None, typer.Option(help="one axis: forth and back; default 5", show_default=False)] = None,
+    positions: Positions = None,
+    cycles: Cycles = None,
     runs: Annotated[int, typer.Option(help="kind torque: movements, each a run")] = 3,
     period: Annotated[float, typer.Option(help="kind torque: of each movement, s")] = 10.0,
     harmonics: Annotated[int, typer.Option(help="kind torque: of its Fourier series")] = 5,
@@ -98,13 +105,20 @@ def plan(
 ) -> None:
     """Choose measuring poses: condition number and observability against n, or a D-optimal set."""
     from deltacal_gen.app import commands
-    from deltacal_gen.results.plan import Plan
     from deltacal_gen.units import DEG
 
     if kind == "torque" or (model or "").endswith("/rigid"):
         series: dict[str, Any] = {"runs": runs, "period": period, "harmonics": harmonics, "rate": rate}
         moving = commands.plan(
-            robot, model, output, optimal=optimal, picture=picture, gauge=gauge, kind="torque", **series
+            robot,
+            model,
+            output,
+            optimal=optimal,
+            picture=picture,
+            gauge=gauge,
+            sidecar=sidecar,
+            kind="torque",
+            **series,
         )
         _show_trajectory(cast("MotionPlan", moving), output, as_json)
         return
@@ -115,17 +129,13 @@ def plan(
         options |= {"start_angle": start_angle * DEG, "threshold": threshold}
         options |= {"layers": layers.split(",")} if layers else {}
         options |= {"gauge": gauge} if gauge else {}
-    options |= {"positions": positions, "cycles": cycles} | ({"sidecar": sidecar} if sidecar else {})
+    options |= {"positions": positions, "cycles": cycles, "sidecar": sidecar}
     found = cast("Plan", commands.plan(robot, model, output, optimal=optimal, picture=picture, **options))
     if as_json:
         print_json(found)
         return
-    if isinstance(found, Plan):
-        _show_plan(found)
-    else:
-        screen.print(found.headline)
+    what = _show_plan(found)
     if output is not None:
-        what = "targets" if isinstance(found, Plan) else "rows"
         screen.print(f"{len(found.poses)} {what} written to {output}")
 
 
@@ -147,7 +157,13 @@ def _show_trajectory(found: MotionPlan, output: Path | None, as_json: bool) -> N
         screen.print(f"{len(found.n)} runs written to {output}")
 
 
-def _show_plan(found: Plan) -> None:
+def _show_plan(found: Plan | CyclePlan) -> str:
+    """Print a plan; return what its file holds."""
+    from deltacal_gen.results.plan import CyclePlan
+
+    if isinstance(found, CyclePlan):
+        screen.print(found.headline)
+        return "rows"
     screen.print(found.conventions)
     if found.n:
         table = Table("n", "poses", "rank", "condition", "change", "O1", "O3")
@@ -170,6 +186,7 @@ def _show_plan(found: Plan) -> None:
     if len(notes) > MOST_NOTES:
         screen.print(f"  and {len(notes) - MOST_NOTES} more poses likewise")
     screen.print(f"chosen: {found.chosen}, {len(found.poses)} poses")
+    return "targets"
 
 
 def simulate(
