@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import json
 from pathlib import Path
 
 import numpy as np
@@ -150,6 +151,52 @@ def test_without_a_clock_a_time_constant_counts_in_the_column_that_counts_on(
     assert by_name["time_constant"].unit == "cycle"
     assert by_name["size"].value == pytest.approx(0.03, abs=4 * (by_name["size"].std or 0.0))
     assert by_name["time_constant"].value == pytest.approx(1.5, abs=4 * (by_name["time_constant"].std or 0.0))
+
+
+def test_an_axis_is_planned_in_cycles_forth_and_back(run: Run, tmp_path: Path) -> None:
+    bounded = dict(AXIS) | {"joints": {"limits_mm": [[0.0, 3000.0]]}}
+    robot, file, plan = robot_from_dict(bounded), tmp_path / "robot.toml", tmp_path / "rows.csv"
+    file.write_text(robot_to_toml(robot))
+    code, text, said = run("plan", file, "-o", plan, "--cycles", 4)
+    assert code == 0, said
+    assert "15 positions" in text
+    rows = np.genfromtxt(plan, delimiter=",", names=True)
+    assert rows.dtype.names == ("pose", "q1_mm", "z_mm", "cycle", "approach1")
+    ways, counts = np.unique(np.column_stack([rows["q1_mm"], rows["approach1"]]), axis=0, return_counts=True)
+    assert len(ways) == 30
+    assert set(counts.tolist()) == {4}
+    steps = np.diff(np.unique(ways[:, 0]))
+    assert np.ptp(steps) > 0.25 * steps.mean()  # no period of the drive fits all of them
+    (tmp_path / "play.toml").write_text('[[effects]]\nname = "backlash"\nlimb = 1\nwidth = 0.01\n')
+    simulated = ("-o", tmp_path / "read.csv", "--truth", tmp_path / "play.toml", "--noise", 0.001)
+    assert run("simulate", file, plan, *simulated)[0] == 0
+    found = diagnose(robot, read_recording(tmp_path / "read.csv", load_mechanism("serial", robot.links))).answer()
+    (effect,) = found.effects
+    assert effect.name == "backlash"
+    assert effect.parameters[0].value == pytest.approx(0.01, abs=4 * (effect.parameters[0].std or 0.0))
+    assert found.final.train_rms_mm == pytest.approx(0.001, rel=0.2)  # the laser is laid along the axis
+    suspected = ("--suspect", tmp_path / "play.toml", "--diagnoses", 1, "--trials", 200, "--workers", 1, "--json")
+    told = json.loads(run("study", file, "--plan", plan, "--noise", 0.001, *suspected)[1])
+    assert [s["named_right"] for s in told["suspects"]] == [1, 1]
+    ratio = {p["name"]: p["std"] / p["predicted_std"] for p in told["parameters"]}
+    assert ratio == pytest.approx(dict.fromkeys(ratio, 1.0), abs=0.2)  # coordinates that nobody reads tell nothing
+
+
+def test_what_an_axis_cannot_be_planned_by_is_refused(run: Run, robot: Robot, tmp_path: Path) -> None:
+    (tmp_path / "robot.toml").write_text(robot_to_toml(robot))
+    assert "how far the joints go" in run("plan", tmp_path / "robot.toml")[2]
+    bounded = robot_from_dict(dict(AXIS) | {"joints": {"limits_mm": [[0.0, 300.0]]}})
+    (tmp_path / "robot.toml").write_text(robot_to_toml(bounded))
+    assert "without --optimal" in run("plan", tmp_path / "robot.toml", "--optimal", 5)[2]
+    assert "from 2 positions" in run("plan", tmp_path / "robot.toml", "--cycles", 1)[2]
+
+
+def test_validation_says_iso_230_2(run: Run, robot: Robot, tmp_path: Path) -> None:
+    made = cycles(tmp_path, robot, "z_mm")
+    (tmp_path / "result.json").write_text(identify(robot, made).answer().to_json())
+    code, text, _ = run("validate", tmp_path / "result.json", tmp_path / "axis.csv")
+    assert code == 0
+    assert "ISO 230-2, 19 positions from both sides, mm: accuracy A 0.0" in " ".join(text.split())
 
 
 def test_a_profile_may_be_the_instrument_s(robot: Robot, tmp_path: Path) -> None:

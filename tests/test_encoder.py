@@ -28,6 +28,7 @@ from deltacal_gen.units import DEG
 from deltacal_gen.use import prediction, validation
 from deltacal_gen.use.comparison import compare
 
+EXAMPLES = Path(__file__).parents[1] / "src/deltacal_gen/examples"
 UNDRAWN = {"robot": {"name": "arms alone", "mechanism": "delta"}, "joints": {"sign": [-1, -1, -1]}}
 DELTA = load_mechanism("delta")
 RUNS, EACH, NOISE = 6, 60, 0.02  # rows of a run; deg
@@ -241,8 +242,32 @@ def test_readings_that_are_of_other_rows_are_refused(ask: Any) -> None:
 def test_joints_read_at_one_pose_are_no_repeats() -> None:
     """A gear that is off by 0.4 % at every joint is no noise, though all three are read at each pose."""
     robot, rng = robot_from_dict(UNDRAWN), np.random.default_rng(2)
-    still = simulate(robot, motion(robot), {}, noise_mm=NOISE, rng=rng).subset(np.arange(0, RUNS * EACH, 6))
+    still = simulate(robot, motion(robot), {}, noise=NOISE, rng=rng).subset(np.arange(0, RUNS * EACH, 6))
     still.channels.clear()
     found = diagnose(robot, dataclasses.replace(still, measured=still.measured * 1.004)).answer()
     assert found.noise.source == "declared"
     assert [(e.name, e.limbs) for e in found.effects] == [("joint_scale", (1, 2, 3))]
+
+
+def test_joints_are_planned_from_both_sides(run: Run, tmp_path: Path) -> None:
+    """Of a drawn machine within its workspace, of one without a drawing within its limits."""
+    file, plan = tmp_path / "robot.toml", tmp_path / "plan.csv"
+    limited = dict(UNDRAWN) | {"joints": {"limits_deg": [[-20, 60]] * 3}}
+    for text in ((EXAMPLES / "delta/robot.toml").read_text(), robot_to_toml(robot_from_dict(limited))):
+        file.write_text(text)
+        code, said, why = run("plan", file, "--kind", "encoder", "-o", plan, "--positions", 24)
+        assert code == 0, why
+        assert "48 rows" in said
+        rows = np.genfromtxt(plan, delimiter=",", names=True)
+        q = np.column_stack([rows[f"q{i}_deg"] for i in (1, 2, 3)])
+        sides = np.column_stack([rows[f"approach{i}"] for i in (1, 2, 3)])
+        assert (q[::2] == q[1::2]).all()
+        assert (sides[::2] == -sides[1::2]).all()
+        assert np.abs(np.corrcoef(sides[::2].T) - np.eye(3)).max() < 0.5  # no joint passes for another
+        assert np.ptp(q, axis=0).min() > 50
+        assert run("simulate", file, plan, "-o", tmp_path / "read.csv", "--noise", 0.02)[0] == 0
+        read = np.genfromtxt(tmp_path / "read.csv", delimiter=",", names=True)
+        assert np.std(np.diff(read["enc2_deg"] - q[:, 1])) == pytest.approx(0.02 * np.sqrt(2), rel=0.4)
+    file.write_text(robot_to_toml(robot_from_dict(UNDRAWN)))
+    assert "how far the joints go" in run("plan", file, "--kind", "encoder")[2]
+    assert "cycles are of one axis" in run("plan", file, "--kind", "encoder", "--cycles", 3)[2]

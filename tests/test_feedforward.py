@@ -15,7 +15,7 @@ import pytest
 
 import deltacal_gen as dc
 from deltacal_gen.errors import UsageError
-from deltacal_gen.files.robot import kept_robot, robot_to_toml
+from deltacal_gen.files.robot import Robot, kept_robot, robot_to_toml
 from deltacal_gen.machine.dynamics import dynamics_of
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.rotation import to_vector
@@ -322,13 +322,9 @@ def test_a_machine_in_motion_has_no_table(known: Path) -> None:
         dc.compensate(known / "diagnosis.json", output=known / "x.csv", export="table")
 
 
-@needs_compiler
-@pytest.mark.parametrize("name", ["diamond", "hexapod", "linear_delta", "robotennis"])
-def test_every_machine_with_limbs_stands_in_c_as_in_python(known: Path, name: str) -> None:
-    """Rigid machines with errors: joints' rates by the velocity Jacobian, torques by the compiled kernels."""
-    robot = machine(name)
+def rigid_model(known: Path, robot: Robot) -> Any:
+    """Return a diagnosis of a machine whose bodies are as its file says, without friction."""
     own, mechanism = dynamics_of(robot), mechanism_of(robot)
-    n, unit = mechanism.limbs, "N" if mechanism.joint_unit == "mm" else "Nm"
     joints = tuple(
         JointModel(
             joint=i + 1,
@@ -337,11 +333,52 @@ def test_every_machine_with_limbs_stands_in_c_as_in_python(known: Path, name: st
             terms=(),
             at_rest_below=0.0,
         )
-        for i in range(n)
+        for i in range(mechanism.limbs)
     )
+    unit = "N" if mechanism.joint_unit == "mm" else "Nm"
+    columns = tuple(f"tau{i + 1}_{unit}" for i in range(mechanism.limbs))
     answer: Any = dc.read_answer(known / "diagnosis.json")
-    columns = tuple(f"tau{i + 1}_{unit}" for i in range(n))
-    answer = answer.replace(robot=kept_robot(robot), joints=joints, columns=columns, inertial=own.names, known=None)
+    return answer.replace(robot=kept_robot(robot), joints=joints, columns=columns, inertial=own.names, known=None)
+
+
+def turning_course(robot: Robot, folder: Path) -> tuple[np.ndarray, Path]:
+    """Write a movement of a machine that turns on command as targets; return joints (N, n_q) as counted, the file."""
+    mechanism = mechanism_of(robot)
+    t, q = np.arange(0, 1, 0.01)[:, None], states_of(robot, 1)[0]
+    size = 0.1 if mechanism.joint_unit == "rad" else 5.0
+    q = q + size * np.sin(3 * t + np.arange(mechanism.limbs))
+    x, _ = mechanism.forward(q, robot.tool, mechanism.rows(robot))
+    turns = np.degrees(to_vector(x[:, 3:].reshape(-1, 3, 3)))
+    values = {f"{axis}_mm": x[:, "xyz".index(axis)] for axis in mechanism.axes}
+    values |= {f"r{axis}_deg": turns[:, "xyz".index(axis)] for axis in mechanism.turns}
+    head, rows = ["time_s", *values], np.column_stack([t, *values.values()])
+    path = folder / "course.csv"
+    path.write_text("\n".join([",".join(head), *(",".join(map(repr, row)) for row in rows.tolist())]))
+    path.with_suffix(".toml").write_text(MOTION)
+    return q * robot.joint_sign, path
+
+
+def test_turns_on_command_are_commanded_along_a_trajectory(known: Path, tmp_path: Path) -> None:
+    robot = machine("hexapod")
+    assert robot.errors
+    answer = rigid_model(known, robot).to_dict()
+    joints, path = turning_course(robot, tmp_path)
+    assert dc.feed_forward(answer, path).given.joints == pytest.approx(joints, abs=1e-6)
+
+
+def test_a_turn_that_a_machine_does_not_command_is_refused(known: Path, tmp_path: Path) -> None:
+    (tmp_path / "turn.csv").write_text("time_s,x_mm,y_mm,z_mm,rz_deg\n0,0,0,-850,1\n0.01,0,0,-850,1\n")
+    with pytest.raises(dc.InputError, match=r"rz_deg.*does not turn on command"):
+        dc.feed_forward(known / "diagnosis.json", tmp_path / "turn.csv")
+
+
+@needs_compiler
+@pytest.mark.parametrize("name", ["diamond", "hexapod", "linear_delta", "robotennis"])
+def test_every_machine_with_limbs_stands_in_c_as_in_python(known: Path, name: str) -> None:
+    """Rigid machines with errors: joints' rates by the velocity Jacobian, torques by the compiled kernels."""
+    robot = machine(name)
+    own, mechanism, answer = dynamics_of(robot), mechanism_of(robot), rigid_model(known, robot)
+    n, unit = mechanism.limbs, "N" if mechanism.joint_unit == "mm" else "Nm"
     source, library = known / f"{name}.c", known / f"{name}.so"
     export_feedforward(answer, source)
     assert COMPILER is not None

@@ -255,3 +255,16 @@ def test_a_lift_has_no_pose_and_forces_on_its_column(folder: Path) -> None:
         code, _, torque = told(library.deltacal_feedforward_joints, held, *given[:, n], payload=0.7)
         assert code == 0
         assert torque == pytest.approx(wanted[n], abs=1e-9 * np.abs(wanted).max())
+
+
+def test_an_arm_is_commanded_along_poses(folder: Path, answer: Any) -> None:
+    """Tool points with rotation vectors, one movement that turns back: joints that stand there, row after row."""
+    given = states(40, seed=1)
+    poses = along(arm(), given)[0]
+    head = "time_s,x_mm,y_mm,z_mm,rx_deg,ry_deg,rz_deg"
+    rows = np.column_stack([np.linspace(0.0, 2.0, 40), poses]).tolist()
+    (folder / "poses.csv").write_text("\n".join([head, *(",".join(map(repr, row)) for row in rows)]))
+    (folder / "poses.toml").write_text('[measurement]\nkind = "torque"\n')
+    q = np.degrees(dc.feed_forward(answer.to_dict(), folder / "poses.csv").given.joints)
+    assert along(arm(), np.array([q, 0 * q, 0 * q]))[0] == pytest.approx(poses, abs=1e-6)
+    assert np.abs(np.diff(q, axis=0)).max() == pytest.approx(np.abs(np.diff(given[0], axis=0)).max(), rel=0.1)

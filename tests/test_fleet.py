@@ -15,18 +15,30 @@ from pathlib import Path
 import numpy as np
 import pytest
 from conftest import Run
+from test_clocks import written as on_two_clocks
 from test_linear_delta import LINEAR, PRINTER, grid, plausible, recording
 from test_printers import joints, printer_cfg
 
 from deltacal_gen import InputError, UsageError
 from deltacal_gen.app import commands, fleet
 from deltacal_gen.app.demonstration import example
+from deltacal_gen.app.moved import grown, moved
 from deltacal_gen.files.robot import robot_from_dict, robot_to_toml
 from deltacal_gen.files.writing import write_recording
 from deltacal_gen.pages import report as pages
 from deltacal_gen.physics.simulation import simulate
-from deltacal_gen.results.batch import Batch, DiagnosedRow, FailedRow, IdentifiedRow, common
+from deltacal_gen.results.batch import (
+    Batch,
+    DiagnosedDrivesRow,
+    DiagnosedRow,
+    FailedRow,
+    IdentifiedDrivesRow,
+    IdentifiedRow,
+    common,
+)
 from deltacal_gen.results.diagnosis import Diagnosis, EffectParameter, LawTerm
+from deltacal_gen.results.reader import read_answer
+from tests.motion_recordings import usual, written
 
 SIX = ("endstop_1", "endstop_2", "endstop_3", "radius", "angle_1", "angle_2")
 
@@ -108,8 +120,8 @@ def test_an_effect_that_has_grown_is_said() -> None:
         when = EffectParameter(name="time", limb=None, value=60.0 + width, std=None, unit="s")  # found, not fitted
         return found.replace(effects=(found.effects[0].replace(parameters=(part, when)),))
 
-    assert "width of backlash was 0.0200, is 0.0300 +- 0.0014 deg" in fleet._moved(diagnosis(0.02), diagnosis(0.03))
-    assert "width" not in fleet._moved(diagnosis(0.02), diagnosis(0.022))
+    assert "width of backlash was 0.0200, is 0.0300 +- 0.0014 deg" in moved(diagnosis(0.02), diagnosis(0.03))
+    assert "width" not in moved(diagnosis(0.02), diagnosis(0.022))
 
 
 def test_each_measured_point_is_compared_with_itself() -> None:
@@ -124,8 +136,8 @@ def test_each_measured_point_is_compared_with_itself() -> None:
         )
         return found.replace(effects=(found.effects[0].replace(limbs=(), parameters=points),))
 
-    assert fleet._grown(diagnosis(-1.6), diagnosis(-1.6)) == []
-    [(_, name, was, now, *_)] = fleet._grown(diagnosis(-1.6), diagnosis(2.0))
+    assert grown(diagnosis(-1.6), diagnosis(-1.6)) == []
+    [(_, name, was, now, *_)] = grown(diagnosis(-1.6), diagnosis(2.0))
     assert (name, was, now) == ("offset_x of (0, 107, 36)", -1.6, 2.0)
 
 
@@ -249,3 +261,68 @@ def test_a_law_that_several_recordings_have_is_told_whatever_its_shape() -> None
     failed = FailedRow(recording="4.csv", machine="m", error="unreadable")
     (law,) = common([*map(row, range(4), shapes), failed])
     assert (law.law, law.recordings) == ("joint(payload)", ("0.csv", "1.csv", "3.csv"))
+
+
+@pytest.fixture(scope="module")
+def moving(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """An arm in motion in two sessions, with a plan and a broken recording beside them, and readings on two clocks."""
+    folder = tmp_path_factory.mktemp("moving")
+    (folder / "arm").mkdir()
+    for session in ("s2", "s1"):
+        path = written(folder / "arm", usual, runs=3, seed=int(session[1]), seconds=6.0)
+        for ending in (".csv", ".toml"):
+            path.with_suffix(ending).rename(folder / "arm" / f"{session}{ending}")
+    first = (folder / "arm" / "s1.csv").read_text().splitlines()
+    (folder / "arm" / "s3.csv").write_text("\n".join(first[:5]) + "\n")
+    (folder / "arm" / "plan.csv").write_text("\n".join(line.rsplit(",", 3)[0] for line in first[:99]) + "\n")
+    for name in ("s3", "plan"):
+        shutil.copy(folder / "arm" / "s1.toml", folder / "arm" / f"{name}.toml")
+    (folder / "delta").mkdir()
+    on_two_clocks(folder / "delta")
+    return folder
+
+
+def test_recordings_in_motion_are_done_joint_by_joint(moving: Path, tmp_path: Path, run: Run) -> None:
+    code, text, said = run("batch", moving / "arm", "-o", tmp_path / "run", "--workers", "1", "--model", "18")
+    assert code == 0, said
+    found = read_answer(tmp_path / "run" / "batch.json")
+    assert isinstance(found, Batch)
+    first, second, third = found.rows
+    assert [row.recording for row in found.rows] == ["s1.csv", "s2.csv", "s3.csv"]
+    for row in (first, second):
+        assert isinstance(row, DiagnosedDrivesRow)
+        assert row.verdict == "missing_physics"
+        assert "coulomb_friction 1 2" in row.effects
+        assert row.unit_by_joint == ("Nm", "Nm", "Nm")
+        assert row.after_by_joint == pytest.approx([0.05] * 3, rel=0.1)
+        assert row.before_by_joint[0] > 1.0
+    assert isinstance(third, FailedRow)
+    (change,) = found.changed
+    assert change.text.startswith("still missing_physics; held out 0.0")
+    assert change.text.endswith(" Nm.")
+    page = (tmp_path / "run" / "index.html").read_text()
+    (link, *_) = re.findall(r'<a href="(pages/\w+\.html)">s1.csv</a>', page)
+    assert "torque" in (tmp_path / "run" / link).read_text()
+    assert (tmp_path / "run" / "table.csv").read_text().count("Nm Nm Nm") == 2
+    assert "plan.csv" in page  # passed over: it holds no reading
+    assert "2 of 3 recordings done" in " ".join(text.split())
+
+
+def test_drives_are_identified_and_validated(moving: Path, tmp_path: Path) -> None:
+    arm = tmp_path / "arm"
+    shutil.copytree(moving / "arm", arm)
+    commands.diagnose(arm / "robot.toml", arm / "s1.csv", arm / "result.json")
+    done = fleet.conduct(arm, tmp_path / "run", "validate", workers=1)
+    left = [row["after_by_joint"] for row in done["rows"] if row["error"] is None]
+    assert np.array(left) == pytest.approx(0.05, rel=0.3)
+    assert done.changed[0].text.startswith("error 0.0")
+    found = fleet.conduct(arm, tmp_path / "again", "identify", workers=1).rows[0]
+    assert isinstance(found, IdentifiedDrivesRow)
+    assert found.model == "serial/rigid"
+    assert min(v for v in found.after_by_joint if v is not None) > 1.0  # without friction
+
+
+def test_the_readings_of_an_instrument_with_its_own_clock_come_along(moving: Path, tmp_path: Path) -> None:
+    (row,) = fleet.conduct(moving / "delta", tmp_path / "run", "identify", model="3", workers=1).rows
+    assert isinstance(row, IdentifiedRow)
+    assert row.noise_mm < 0.1

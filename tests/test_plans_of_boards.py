@@ -13,6 +13,7 @@ from conftest import Run
 
 from deltacal_gen.errors import NoSolutionError
 from deltacal_gen.files.robot import read_robot
+from deltacal_gen.files.sidecar import read_measurement
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.planning import boards
 
@@ -31,6 +32,12 @@ def planned(run: Run, folder: Path, model: str, kind: str) -> tuple[dict[str, An
     return json.loads(out), np.genfromtxt(path, delimiter=",", names=True), path
 
 
+def declared(path: Path, line: str) -> None:
+    """Add a line to the sidecar of a plan."""
+    sidecar = path.with_suffix(".toml")
+    sidecar.write_text(sidecar.read_text().replace("[measurement]", f"[measurement]\n{line}"))
+
+
 @pytest.mark.parametrize("model", ROBOTS)
 def test_the_tip_touches_points_of_a_flat_print(run: Run, tmp_path: Path, model: str) -> None:
     found, rows, path = planned(run, tmp_path, model, "touched board")
@@ -47,7 +54,8 @@ def test_the_tip_touches_points_of_a_flat_print(run: Run, tmp_path: Path, model:
     read = np.genfromtxt(tmp_path / "read.csv", delimiter=",", names=True)
     assert np.abs(read["board_x_mm"] - on_print[:, 0]).max() < 1.0
     assert np.abs(read["board_z_mm"]).max() < 1.0
-    command = ("study", ROBOTS[model], "--plan", path, "--model", model, "--noise", 0.05, "--trials", 5)
+    declared(path, "sigma_mm = 0.05")
+    command = ("study", ROBOTS[model], "--plan", path, "--model", model, "--trials", 5)
     assert run(*command, "--workers", 1)[0] == 0
 
 
@@ -61,8 +69,41 @@ def test_a_camera_sees_the_board_from_every_pose(run: Run, tmp_path: Path, model
     middle = [read["pose"] == pose for pose in np.unique(read["pose"])]
     uv = np.array([[read["u_px"][own].mean(), read["v_px"][own].mean()] for own in middle])
     assert ((uv > 0) & (uv < [1280, 1024])).all()  # the camera is off by its mount's ordinary errors
-    command = ("study", ROBOTS[model], "--plan", path, "--model", model, "--noise", 0.05, "--trials", 5)
-    assert run(*command, "--workers", 1)[0] == 0
+    assert (tmp_path / "read.toml").read_text().split()[-3:] == ["sigma_px", "=", "0.05"]
+    command = ("study", ROBOTS[model], "--plan", path, "--model", model, "--trials", 5, "--workers", 1, "--json")
+    code, _, said = run(*command)
+    assert code == 3
+    assert "Add sigma_px to the sidecar" in said
+    told = json.loads(run(*command, "--noise", 0.05)[1])
+    assert told["sigma_px"] == pytest.approx(0.05)
+    assert told["sigma_mm"] == pytest.approx(0.05 * told["unit_mm"])
+    declared(path, "sigma_px = 0.05")
+    assert json.loads(run(*command)[1]) == told
+
+
+@pytest.mark.parametrize("model", ROBOTS)
+def test_a_fixed_camera_sees_the_board_on_the_platform(run: Run, tmp_path: Path, model: str) -> None:
+    said, path = tmp_path / "said.toml", tmp_path / "plan.csv"
+    lens = 'place = "fixed"\nfx_px = 900.0\nfy_px = 900.0\ncx_px = 600.0\ncy_px = 500.0\n'
+    said.write_text(f'[measurement]\nkind = "board image"\nsigma_px = 0.2\n[measurement.camera]\n{lens}')
+    command = ("plan", ROBOTS[model], "--model", model, "--sidecar", said, "--optimal", COUNT, "-o", path)
+    code, _, why = run(*command)
+    assert code == 0, why
+    camera = read_measurement(path.with_suffix(".toml")).camera
+    assert camera is not None
+    assert (camera.place, camera.fx_px) == ("fixed", 900.0)
+    rows = np.genfromtxt(path, delimiter=",", names=True)
+    assert len(np.unique(rows["pose"])) == COUNT
+    assert run("simulate", ROBOTS[model], path, "-o", tmp_path / "read.csv", "--noise", 0.2)[0] == 0
+    read = np.genfromtxt(tmp_path / "read.csv", delimiter=",", names=True)
+    middle = [read["pose"] == pose for pose in np.unique(read["pose"])]
+    uv = np.array([[read["u_px"][own].mean(), read["v_px"][own].mean()] for own in middle])
+    assert ((uv > 0) & (uv < [1200, 1000])).all()
+    study = ("study", ROBOTS[model], "--plan", path, "--model", model, "--trials", 60, "--workers", 1, "--json")
+    told = json.loads(run(*study)[1])
+    after = told["position"]["after"]
+    assert after["rms_mm"] == pytest.approx(after["predicted_rms_mm"], rel=0.25)
+    assert after["rms_mm"] < 0.7 * told["position"]["before"]["rms_mm"]
 
 
 def test_an_arm_looks_at_one_point_tilted_and_from_several_distances() -> None:

@@ -135,6 +135,8 @@ BARE = {  # numbers without a unit: counts, parts of a whole, figures of statist
         "speed",
     ),
     *("position", "load", "error_before", "error_after"),
+    *("before_by_joint", "after_by_joint", "noise_by_joint", "fitted_by_joint"),
+    *("positions", "cycles", "cycle", "approach"),
     *("range", "at", "seen", "partial", "charge", "outside_law"),  # of laws, as their states and targets count
 }
 
@@ -157,6 +159,7 @@ def answers(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Mapping[str, 
         "certificate": dc.certificate(result, dc.read_recording(DELTA / "recording.csv", dc.load_mechanism("delta"))),
         "comparison": dc.compare(result, result),
         "plan": dc.plan(DELTA / "robot.toml", "delta/18", sigma_mm=0.01),
+        "cycles": dc.plan(DELTA / "robot.toml", kind="encoder", positions=3),
         "study": dc.study(DELTA / "robot.toml", DELTA / "poses.csv", trials=20, noise=0.01, workers=1),
         "batch": dc.batch(fleet, folder / "run", "identify", workers=1),
     }
@@ -171,6 +174,7 @@ KINDS = (
     "certificate",
     "comparison",
     "plan",
+    "cycles",
     "study",
     "batch",
 )

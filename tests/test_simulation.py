@@ -74,6 +74,28 @@ def test_noise_is_declared_in_the_sidecar(robot: Robot) -> None:
     assert simulate(robot, said, noise_mm=0.01, rng=rng).measurement.sigma_mm == 0.02
 
 
+def test_noise_stands_in_the_unit_of_the_readings(robot: Robot) -> None:
+    """Of a second encoder in deg; declared is what the file would call it."""
+    poses = dataclasses.replace(wanted(scattered(robot, 400, 1)), kind="encoder", columns=("enc1_deg",))
+    rng = np.random.default_rng(1)
+    exact = simulate(robot, poses, rng=np.random.default_rng(1)).measured
+    made = simulate(robot, poses, noise=0.02, rng=rng)
+    assert np.std(made.measured - exact) == pytest.approx(0.02 * DEG, rel=0.06)
+    assert (made.measurement.sigma_deg, made.measurement.sigma_mm) == (0.02, None)
+
+
+def test_rotations_have_a_share_of_the_noise_that_is_declared(robot: Robot) -> None:
+    """What 100 mm from the point is as large, where the sidecar says nothing of it."""
+    poses = wanted(scattered(robot, 400, 1), "pose")
+    exact = simulate(robot, poses, rng=np.random.default_rng(1)).measured
+    made = simulate(robot, poses, noise=0.01, rng=np.random.default_rng(1))
+    assert np.std(made.measured[:, 3:] - exact[:, 3:]) == pytest.approx(1e-4, rel=0.1)
+    assert made.measurement.sigma_deg == pytest.approx(1e-4 / DEG)
+    said = dataclasses.replace(poses, measurement=dataclasses.replace(poses.measurement, sigma_deg=0.003))
+    less = simulate(robot, said, noise=0.01, rng=np.random.default_rng(1))
+    assert np.std(less.measured[:, 3:] - exact[:, 3:]) == pytest.approx(0.003 * DEG, rel=0.1)
+
+
 def test_an_unknown_frame_moves_readings_rigidly(robot: Robot) -> None:
     targets = scattered(robot, 6, 1)
     turn, origin = np.array([0.4, -0.1, 2.0]), np.array([100.0, 200.0, 300.0])

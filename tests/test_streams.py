@@ -50,10 +50,10 @@ def test_blocks_are_the_recording(robot: Robot, errors: dict[str, float], tmp_pa
     poses = targets(robot, tmp_path / "poses.csv", 137)
     poses = as_parquet(poses) if kind == "parquet" else poses
     out = tmp_path / "recording.csv"
-    done = streams.simulate(robot, poses, out, errors, noise_mm=NOISE, rng=np.random.default_rng(3), rows=50)
+    done = streams.simulate(robot, poses, out, errors, noise=NOISE, rng=np.random.default_rng(3), rows=50)
     assert done == 137
     given = read_recording(poses, DELTA, need_measured=False, allow_targets=True)
-    whole = simulate(robot, given, errors, noise_mm=NOISE, rng=np.random.default_rng(3))
+    whole = simulate(robot, given, errors, noise=NOISE, rng=np.random.default_rng(3))
     found = read_recording(out, DELTA)
     np.testing.assert_allclose(found.measured, whole.measured, rtol=0, atol=1e-9)
     np.testing.assert_allclose(found.joints, whole.joints, rtol=0, atol=1e-12)
@@ -121,7 +121,7 @@ def test_several_set_ups_are_refused_wherever_a_block_ends(tmp_path: Path, rows:
 def test_a_block_without_readings_is_passed_over(robot: Robot, tmp_path: Path, kind: str) -> None:
     """Rows 20 to 39 of 60 were not read: whatever the blocks, 40 rows are fitted and judged."""
     poses, path = targets(robot, tmp_path / "poses.csv", 60), tmp_path / "recording.csv"
-    streams.simulate(robot, poses, path, noise_mm=NOISE, rng=np.random.default_rng(3))
+    streams.simulate(robot, poses, path, noise=NOISE, rng=np.random.default_rng(3))
     lines = path.read_text().splitlines()
     cells = [line.split(",") for line in lines[21:41]]
     at = [lines[0].split(",").index(name) for name in ("x_mm", "y_mm", "z_mm")]

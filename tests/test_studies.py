@@ -171,3 +171,38 @@ def test_a_plan_that_carries_too_little_is_refused(robot: Robot, plan: Path, tmp
         commands.study(robot, short)
     with pytest.raises(InputError, match="are needed"):
         commands.study(robot, short, model="32", noise=0.01)
+
+
+def test_a_plan_of_a_second_encoder_says_what_a_diagnosis_would_find(robot: Robot, tmp_path: Path, run: Run) -> None:
+    rng = np.random.default_rng(2)
+    rows = [f"{q},{ways}" for q in _joints(rng, 20) for ways in ("1,1,-1", "-1,-1,1")]
+    plan = tmp_path / "plan.csv"
+    plan.write_text("q1_deg,q2_deg,q3_deg,approach1,approach2,approach3\n" + "\n".join(rows) + "\n")
+    plan.with_suffix(".toml").write_text('[measurement]\nkind = "encoder"\nsigma_deg = 0.02\n')
+    (tmp_path / "play.toml").write_text('[[effects]]\nname = "backlash"\nlimb = 2\nwidth = 0.3\n')
+    command = ("study", example() / "robot.toml", "--plan", plan, "--diagnoses", 2, "--workers", 1)
+    assert "see no source error" in run(*command)[2]
+    out, page = tmp_path / "study.json", tmp_path / "study.html"
+    code, text, said = run(*command, "--suspect", tmp_path / "play.toml", "-o", out, "--report", page)
+    assert code == 0, said
+    found = json.loads(out.read_text())
+    assert (found["position"], found["advice"], found["machines"]) == (None, None, 0)
+    assert found["sigma_deg"] == pytest.approx(0.02)
+    assert [s["named_right"] for s in found["suspects"]] == [2, 2]
+    assert "backlash 2 concealed: said so in 2 of 2" in text
+    assert "2 of 2 recordings say" in page.read_text()
+    assert "held out before, deg" in page.read_text()
+    bare = tmp_path / "bare.toml"
+    bare.write_text('[robot]\nname = "arms alone"\nmechanism = "delta"\n')
+    again = commands.study(bare, plan, suspects=[tmp_path / "play.toml"], diagnoses=1, workers=1)
+    assert again["suspects"][1]["named_right"] == 1
+
+
+def _joints(rng: np.random.Generator, count: int) -> list[str]:
+    return [",".join(f"{v:.3f}" for v in row) for row in rng.uniform(-20, 60, (count, 3))]
+
+
+def test_where_nothing_is_wrong_and_nothing_is_freed_nothing_is_taken_off(robot: Robot, plan: Path) -> None:
+    found = commands.study(robot, plan, model="delta/0", trials=3, workers=1)
+    assert found["advice"]["doubling"] == 0
+    assert [g["gain"] for g in found["advice"]["add"]] == [0, 0]

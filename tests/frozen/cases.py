@@ -237,7 +237,7 @@ def _kinds() -> Iterator[Case]:
         yield Case(f"kind-{kind}", _delta_kind(kind, extra), _predicting(_simulated(model)))
     yield Case("kind-height", _bed(distances=False), _predicting(_simulated(noise=0.005)))
     yield Case("kind-height_distance", _bed(distances=True), _predicting(_simulated(noise=0.005)))
-    yield Case("kind-sphere", _ball, _predicting(_simulated(noise=0.05)))
+    yield Case("kind-sphere", _ball, _predicting(_simulated(noise=0.1)))  # px
     asked = ("identify", "robot.toml", "recording.csv", "-o", "result.json")
     yield Case("kind-contact", _sockets, (asked, ("diagnose", *asked[1:-1], "diagnosis.json")))
 

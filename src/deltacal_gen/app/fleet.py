@@ -11,7 +11,6 @@ from __future__ import annotations
 import functools
 import hashlib
 import json
-import math
 import os
 import re
 import tempfile
@@ -25,41 +24,56 @@ from typing import Any, cast
 from deltacal_gen.app.commands.calibration import diagnose, identify
 from deltacal_gen.app.commands.sources import import_klipper, import_points, import_rrf
 from deltacal_gen.app.commands.use import validate
+from deltacal_gen.app.moved import moved
 from deltacal_gen.errors import DeltacalError, InputError, UsageError
 from deltacal_gen.execution import Outcome, Store, Task, Told, content_key, run
 from deltacal_gen.files.points import is_table_of_joints
 from deltacal_gen.files.recording import is_recording
 from deltacal_gen.files.writing import csv_text, write_files
+from deltacal_gen.motion import kinds
 from deltacal_gen.pages import report
 from deltacal_gen.physics.law import PREFIX, load_law
 from deltacal_gen.results.base import Answer, Json
 from deltacal_gen.results.batch import (
     Action,
     Batch,
+    DiagnosedDrivesRow,
     DiagnosedRow,
     Done,
     FailedRow,
+    IdentifiedDrivesRow,
     IdentifiedRow,
     Moved,
     Row,
+    ValidatedDrivesRow,
     ValidatedRow,
     common,
+    in_table,
     worst,
 )
 from deltacal_gen.results.diagnosis import Diagnosis, Geometry, LawTerm, Verdict
+from deltacal_gen.results.motion import (
+    MotionDiagnosis,
+    MotionResult,
+    MotionValidation,
+)
 from deltacal_gen.results.reader import read_answer
 from deltacal_gen.results.result import Result
-from deltacal_gen.results.shown import rounded
 from deltacal_gen.results.validation import Validation
-from deltacal_gen.use.comparison import compare
 
 ROWS: Mapping[Action, type[Done]] = {"diagnose": DiagnosedRow, "identify": IdentifiedRow, "validate": ValidatedRow}
+DRIVES: Mapping[Action, type[Done]] = {
+    "diagnose": DiagnosedDrivesRow,
+    "identify": IdentifiedDrivesRow,
+    "validate": ValidatedDrivesRow,
+}
 ACTIONS = tuple(ROWS)
 FIGURES = "figures"  # key beside those of an answer, in what a task keeps
 ROBOT = "robot.toml"
 RESULT = "result.json"  # beside the robot: what its recordings are validated against
 PAGES = "pages"  # of single recordings, in the run directory
 TABLES = (".csv", ".tsv", ".xlsx", ".xlsm", ".parquet")
+OWN = (".toml", ".distances.csv", ".instrument.csv")  # ends of the names of files that belong to a recording
 BESIDE = (".distances", ".instrument")  # ends of the names of tables that belong to a recording
 LAST = "last.json"  # which files each recording was and which task, the last time that all were done
 CONFIGS = ("config-override.g", "config.g")  # of RepRapFirmware: M500 writes the first, which then holds
@@ -68,7 +82,6 @@ IMPORTS: Mapping[str, Callable[..., Any]] = {
     "rrf": import_rrf,
     "points": import_points,
 }
-CLEAR = 3.0  # standard deviations by which an effect has changed
 LOOKED_AT = 1_000_000  # bytes of a text, to tell what it is
 
 Contents = Mapping[str, bytes]
@@ -129,13 +142,13 @@ def find(folder: str | Path, action: str = "diagnose", machine: str | None = Non
     _machine_of("", machine)
     found: list[Job | Session] = []
     for place in _folders(folder):
-        tables = [t for t in sorted(place.glob("*.csv")) if not t.name.endswith(".distances.csv")]
-        recordings = [t for t in tables if is_recording(t)]
+        tables = [t for t in sorted(place.glob("*.csv")) if not t.name.endswith(OWN)]
+        recordings = [t for t in tables if is_recording(t) or kinds.is_recording(t)]
         robot = place / ROBOT
         for table in recordings:
             label = table.relative_to(folder).as_posix()
             files = {ROBOT: robot, "recording.csv": table}
-            for ending in (".toml", ".distances.csv"):
+            for ending in OWN:
                 if table.with_suffix(ending).exists():
                     files[f"recording{ending}"] = table.with_suffix(ending)
             refused = None if robot.exists() else f"there is no {ROBOT} beside it."
@@ -247,7 +260,7 @@ def unpack(kind: str, files: Contents) -> Json:
             made = IMPORTS[kind](*(folder / name for name in files), output=out)
         recordings = {}
         for name in made.recordings:
-            ends = (".csv", ".toml", ".distances.csv")
+            ends = (".csv", *OWN)
             parts = {f"recording{e}": (out / f"{name}{e}") for e in ends if (out / f"{name}{e}").exists()}
             recordings[name] = {n: p.read_text(encoding="utf-8") for n, p in {ROBOT: out / ROBOT, **parts}.items()}
         return {"recordings": recordings, "warnings": list(made.warnings)}
@@ -271,12 +284,15 @@ def do(action: str, model: str | None, files: Contents) -> Json:
             (folder / name).write_bytes(content)
         robot, recording = folder / ROBOT, folder / "recording.csv"
         with _own_names():
+            moving = kinds.in_motion(recording) is not None
+            model = None if moving else model  # of the geometry
             if action == "validate":
                 return _with_figures(validate(folder / RESULT, recording))
             if action == "identify":
                 return _with_figures(identify(robot, recording, model))
             found = diagnose(robot, recording, model=model)
-            if found.verdict is Verdict.ADEQUATE:  # else what is left out would be taken for parts that moved
+            # else what is left out would be taken for parts that moved
+            if found.verdict is Verdict.ADEQUATE and not moving:
                 with suppress(DeltacalError):
                     calibrated = identify(robot, recording, model)
                     geometry = Geometry(robot=calibrated.robot, parameters=calibrated.parameters)
@@ -284,7 +300,7 @@ def do(action: str, model: str | None, files: Contents) -> Json:
             return _with_figures(found)
 
 
-def _with_figures(found: Diagnosis | Result | Validation) -> Json:
+def _with_figures(found: Answer) -> Json:
     """Return an answer's JSON with its figures for the table: the one process that writes it reads no answers."""
     return found | {FIGURES: _figures(found)}
 
@@ -330,7 +346,7 @@ def conduct(
     )
     lines = [row.to_dict() for row in rows]
     columns = list(dict.fromkeys(name for line in lines for name in line))
-    table = {c: ["" if line.get(c) is None else line[c] for line in lines] for c in columns}
+    table = {c: [in_table(getattr(row, c, None)) for row in rows] for c in columns}
     write_files(
         {
             directory / "table.csv": csv_text(table),
@@ -410,8 +426,10 @@ def _place_of(term: LawTerm) -> str:
     return f"{term.target}({', '.join(states)})"
 
 
-def _figures(found: Diagnosis | Result | Validation) -> Json:
+def _figures(found: Answer) -> Json:
     """Return what the table says of an answer, by the fields of its row."""
+    if isinstance(found, MotionDiagnosis | MotionResult | MotionValidation):
+        return _figures_of_drives(found)
     if isinstance(found, Diagnosis):
         return {
             "verdict": str(found.verdict),
@@ -430,16 +448,43 @@ def _figures(found: Diagnosis | Result | Validation) -> Json:
             "fitted_mm": found.train_rms_mm,
             "noise_mm": found.sigma_mm,
         }
+    assert isinstance(found, Validation)
     return {"after_mm": found.rms_mm, "worst_mm": found.worst_mm, "chi2_per_dof": found.chi2_per_dof}
+
+
+def _figures_of_drives(found: MotionDiagnosis | MotionResult | MotionValidation) -> Json:
+    """Return what the table says of an answer in motion."""
+    if isinstance(found, MotionValidation):
+        return {
+            "unit_by_joint": found.unit_by_joint,
+            "after_by_joint": found.rms_by_joint,
+            "readings": found.readings,
+            "chi2_per_dof": found.chi2_per_dof,
+        }
+    said = {
+        "unit_by_joint": found.final.unit_by_joint,
+        "after_by_joint": found.final.heldout_rms_by_joint,
+        "noise_by_joint": found.noise.sigma_by_joint,
+    }
+    if isinstance(found, MotionResult):
+        return said | {"model": found.model, "fitted_by_joint": found.final.train_rms_by_joint}
+    return said | {
+        "verdict": str(found.verdict),
+        "effects": "; ".join(f"{e.name} {' '.join(map(str, e.limbs))}".strip() for e in found.effects),
+        "model": found.baseline.model,
+        "before_by_joint": found.baseline.heldout_rms_by_joint,
+        "law": "; ".join(dict.fromkeys(map(_place_of, found.laws[0].terms))) if found.laws else None,
+    }
 
 
 def _row(action: Action, job: Job, outcome: Outcome) -> Row:
     """Return a recording's line of the table."""
     if outcome.result is None:
         return FailedRow(recording=job.label, machine=job.machine, error=outcome.error or "")
-    figures = outcome.result[FIGURES]
+    figures: Json = {k: tuple(v) if isinstance(v, list) else v for k, v in outcome.result[FIGURES].items()}
     warnings = " ".join(job.warnings) or None
-    return ROWS[action](recording=job.label, machine=job.machine, **figures, error=None, warnings=warnings)
+    of = DRIVES if "unit_by_joint" in figures else ROWS
+    return of[action](recording=job.label, machine=job.machine, **figures, error=None, warnings=warnings)
 
 
 # ------------------------------------------------------------------------------------------------------ for readers
@@ -460,10 +505,18 @@ def write_pages(found: Batch, directory: Path) -> dict[str, str]:
         if not (directory / place).exists():
             (directory / PAGES).mkdir(exist_ok=True)
             answer = read_answer(kept.result)
-            text = report.calibration(answer) if isinstance(answer, Result) else report.diagnosis(cast("Any", answer))
-            write_files({directory / place: text})
+            write_files({directory / place: _page(answer)})
         links[row.recording] = place.as_posix()
     return links
+
+
+def _page(answer: Answer) -> str:
+    """Return the page of a recording."""
+    if isinstance(answer, MotionResult | MotionDiagnosis):
+        from deltacal_gen.pages import motion
+
+        return motion.motion(answer)
+    return report.calibration(answer) if isinstance(answer, Result) else report.diagnosis(cast("Any", answer))
 
 
 # ------------------------------------------------------------------------------------------------------ what changed
@@ -500,46 +553,9 @@ def _changed(
             if old is None or new is None or old.result is None or new.result is None:
                 continue
             try:
-                text = _moved(read_answer(old.result), read_answer(new.result))
+                text = moved(read_answer(old.result), read_answer(new.result))
             except InputError as error:  # other machines, or a run of another version
                 text = str(error)
-            changed.append(Moved(machine=job.machine, from_=label, to=job.label, text=text))
+            if text is not None:
+                changed.append(Moved(machine=job.machine, from_=label, to=job.label, text=text))
     return tuple(changed)
-
-
-def _moved(old: Answer, new: Answer) -> str:
-    if isinstance(old, Result) and isinstance(new, Result):
-        return compare(old, new).summary
-    if isinstance(old, Diagnosis) and isinstance(new, Diagnosis):
-        names = [sorted(e.name for e in r.effects) for r in (old, new)]
-        gone, come = (sorted(set(a) - set(b)) for a, b in (names, names[::-1]))
-        parts = [f"{old.verdict} became {new.verdict}"] if old.verdict != new.verdict else []
-        parts += [f"{name} appeared" for name in come] + [f"{name} is gone" for name in gone]
-        parts += [
-            f"{name} of {effect} was {rounded(was, std)[0]}, is {' +- '.join(rounded(now, std))} {unit}"
-            for effect, name, was, now, std, unit in _grown(old, new)
-        ]
-        said = "; ".join(parts) or f"still {new.verdict}"
-        before, after = (f"{v:.4f}" if v is not None else "-" for v in (r.final.heldout_rms_mm for r in (old, new)))
-        text = f"{said}; held out {before} -> {after} mm."
-        if old.geometry is None or new.geometry is None:
-            return text
-        return f"{text} {compare(old.geometry, new.geometry).summary}"
-    was, now = (r.rms_mm if isinstance(r, Validation) else 0.0 for r in (old, new))
-    return f"error {was:.4f} -> {now:.4f} mm."
-
-
-def _grown(old: Diagnosis, new: Diagnosis) -> list[tuple[str, str, float, float, float, str]]:
-    """Return the parameters of effects in both diagnoses that differ by more than noise explains."""
-    was = {(e.name, e.limbs, p.label, p.limb): p for e in old.effects for p in e.parameters}
-    out = []
-    for e in new.effects:
-        for p in e.parameters:
-            before = was.get((e.name, e.limbs, p.label, p.limb))
-            if before is None or before.std is None or p.std is None:  # an order, a time: a constant
-                continue
-            std = math.hypot(before.std, p.std)
-            first, then = float(before.value), float(p.value)
-            if abs(then - first) > CLEAR * std:
-                out.append((e.name, p.label, first, then, std, p.unit))
-    return out

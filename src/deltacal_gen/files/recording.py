@@ -19,7 +19,16 @@ import numpy as np
 
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.checks import check_home, check_repeats, impossible
-from deltacal_gen.files.columns import JOINT, MEASURED, ONE_SETUP, RESERVED, TOOL, distances_path, is_channel
+from deltacal_gen.files.columns import (
+    JOINT,
+    MEASURED,
+    ONE_SETUP,
+    RESERVED,
+    TOOL,
+    distances_path,
+    instrument_path,
+    is_channel,
+)
 from deltacal_gen.files.dialect import LOOKED_AT
 from deltacal_gen.files.rows import Rows, csv_blocks, number_of, parquet_blocks, read_csv, read_table
 from deltacal_gen.files.sidecar import Sidecar, measurement_of, read_sidecar
@@ -208,7 +217,7 @@ def _recording(
     axes = tuple(f"{axis}_mm" for axis in mechanism.axes)
     has_joints = any(_JOINT_LIKE.match(name) for name in rows.columns)
     if allow_targets and not has_joints and set(axes) & set(rows.columns):
-        targets, rows = _targets(rows, mechanism)
+        targets, rows = targets_of(rows, mechanism)
         joints = np.full((len(targets), mechanism.limbs), np.nan)
     else:
         joints = _joints(rows, mechanism)
@@ -280,8 +289,14 @@ def _turns(mechanism: Machine) -> tuple[str, ...]:
     return ROTATION if len(mechanism.axes) == 3 else tuple(f"r{axis}_deg" for axis in mechanism.turns)
 
 
-def _targets(rows: Rows, mechanism: Machine) -> tuple[np.ndarray, Rows]:
-    """Return targets (N, 3) or poses (N, 12), and the rows without their columns."""
+def targets_of(rows: Rows, mechanism: Machine) -> tuple[np.ndarray, Rows]:
+    """Return targets (N, 3), or poses (N, 12) of a machine that turns on command, and the rows without their columns.
+
+    Raises
+    ------
+    InputError
+        Cells are missing, or how the machine shall stand is not said.
+    """
     axes, turns = tuple(f"{axis}_mm" for axis in mechanism.axes), _turns(mechanism)
     targets = np.zeros((len(rows.line), 3))
     given = [axis for axis in axes if f"p{axis[0]}" in mechanism.asks or axis in rows.columns]
@@ -482,7 +497,7 @@ def _with_pairs(recording: Recording, pairs: Rows, rows: Rows, need_measured: bo
 
 
 def is_recording(path: Path) -> bool:
-    """Tell whether a table holds joints and at least one reading; its values are not judged."""
+    """Tell whether a table holds joints, and it or a file that belongs to it a reading; its values are not judged."""
 
     def filled(table: Path, joints: bool) -> bool:
         for rows in csv_blocks(table, LOOKED_AT):
@@ -492,8 +507,8 @@ def is_recording(path: Path) -> bool:
                 return True
         return False
 
-    distances = path.with_suffix(".distances.csv")
     try:
-        return filled(path, True) or (distances.exists() and filled(distances, False))
+        own = (distances_path(path), instrument_path(path))
+        return filled(path, True) or any(beside.exists() and filled(beside, False) for beside in own)
     except InputError:
         return False

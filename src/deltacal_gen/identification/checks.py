@@ -55,9 +55,8 @@ def chosen_model(mechanism: Machine, problem: Problem, recording: Recording, ask
     whole = len(mechanism.model(mechanism.full_model))
     by_size = sorted((m for m in fitting if len(mechanism.models[m]) <= whole), key=lambda m: -len(mechanism.models[m]))
     if asked is not None:
-        mechanism.model(asked)
-        name = mechanism.full_name(asked)
-        _check_count(recording, scalars, len(mechanism.models[name]), extra, name, _spare(recording))
+        names, name = mechanism.model(asked), mechanism.full_name(asked)
+        _check_count(recording, scalars, len(names), extra, name, _spare(recording))
         return name
     once = min(scalars, _once(problem))
     for name in by_size:

@@ -33,6 +33,8 @@ FAR = 1e6  # image sizes: a point that a wrong homography throws to infinity
 PARALLEL = 0.02  # of the lines that look at a point: more than noise, less than a tilt of 10 deg tells of how far it is
 FACING = 0.9  # cosine of the angle within which a camera looks at a point
 PRINTED, FILLED = 0.3, 0.5  # width of a print, of where the machine moves; of how near a camera comes
+CARRIED = 0.2  # likewise of a print on the platform
+TURNED = 0.3  # cosine of the angle at which a fixed camera sees a print on the platform at least
 NICE = (1.0, 2.0, 2.5, 5.0, 10.0)
 POINTS = 7, 5  # of a print, along and across
 RANK = 1e-6  # of a column's length: less is a combination of the others
@@ -311,11 +313,11 @@ def nice(length: float) -> float:
     return float(max(n for n in NICE if n * power <= length * (1 + 1e-9)) * power)
 
 
-def printed(x: Array, chain: bool) -> Array:
-    """Return the points (n, 2) of a print that suits a camera at poses x (N, 12), from its corner [mm]."""
+def printed(x: Array, chain: bool, rides: bool = True) -> Array:
+    """Return the points (n, 2) of a print that suits a camera at poses x (N, 12), or one beside it, from its corner."""
     span = float(np.ptp(x[:, :3], axis=0).max())
-    width = PRINTED * span
-    if chain:
+    width = (PRINTED if rides else CARRIED) * span
+    if chain and rides:
         along = x[:, 3:].reshape(-1, 3, 3)[:, :, 2]
         middle = looked_at(x[:, :3], along, x[:, :3].mean(axis=0) + span * along.mean(axis=0))
         width = FILLED * float(np.linalg.norm(middle - x[:, :3], axis=1).min())
@@ -324,16 +326,23 @@ def printed(x: Array, chain: bool) -> Array:
 
 
 def shown(state: Array, x: Array, points: Array) -> tuple[np.ndarray, np.ndarray]:
-    """Return which points (n, 2) of a board on the ground a camera on the platform shows: numbers of poses and points.
+    """Return which points (n, 2) of a board a camera shows: numbers of poses and points.
 
+    The camera sits on the platform and the board on the ground, or the other way round: then it has to face the camera.
     The lens is taken for straight, its image twice as large as the principal point is far from its corner.
     """
     C, f, B, g = state[:9].reshape(3, 3), state[9:12], state[12:21].reshape(3, 3), state[21:24]
-    fixed = np.column_stack([points, np.zeros(len(points))]) @ B.T + g
+    own = np.column_stack([points, np.zeros(len(points))]) @ B.T + g
     R = x[:, 3:].reshape(-1, 3, 3)
-    seen = np.einsum("nji,nkj->nki", R, fixed[None] - x[:, None, :3]) @ C.T + f
-    off = np.abs(seen[:, :, :2] * state[25:27]) < seen[:, :, 2:] * state[27:29]
-    rows, which = np.nonzero(off.all(axis=2))
+    if state[34]:
+        seen = np.einsum("nji,nkj->nki", R, own[None] - x[:, None, :3]) @ C.T + f
+    else:
+        seen = (np.einsum("nij,kj->nki", R, own) + x[:, None, :3]) @ C.T + f
+    off = (np.abs(seen[:, :, :2] * state[25:27]) < seen[:, :, 2:] * state[27:29]).all(axis=2)
+    if not state[34]:
+        normal = np.einsum("ij,njk,k->ni", C, R, B[:, 2])
+        off &= np.einsum("ni,nki->nk", -normal, seen) > TURNED * np.linalg.norm(seen, axis=2)
+    rows, which = np.nonzero(off)
     return rows, which
 
 
@@ -341,21 +350,26 @@ def mounted(x: Array, middle: Array, width: float, lens: Array, rides: bool, cha
     """Return the state of a camera that looks at the board's middle, far enough to see all of it from poses x (N, 12).
 
     The camera looks along -z of {O}, or the board on the platform faces up to it: what it looks at lies below. On an
-    open chain it looks along z of the last link, at what the poses have before them.
+    open chain it looks along z of the last link, at what the poses have before them, or stands there and looks back at
+    a board across that axis.
     """
     focal = np.where(np.isnan(lens[:2]), 1000.0, lens[:2])
     centre = np.where(np.isnan(lens[2:4]), [640.0, 512.0], lens[2:4])
     P = x[:, :3]
-    mid, span = (P.max(axis=0) + P.min(axis=0)) / 2, np.ptp(P, axis=0)
-    slope = 0.8 * float((centre / focal).min())
-    far = (float(span[:2].max()) / 2 + 0.75 * width) / slope + float(span[2]) / 2
+    mid = (P.max(axis=0) + P.min(axis=0)) / 2
     down = np.diag([1.0, -1.0, -1.0])
     turns = x[:, 3:].reshape(-1, 3, 3)
     R = nearest(turns.mean(axis=0))
     corner = np.array([*middle, 0.0])
+    along = turns[:, :, 2]
+    ahead = along.mean(axis=0) / np.linalg.norm(along.mean(axis=0))
+    if chain and not rides:
+        down = np.vstack([np.linalg.svd(ahead[None])[2][1:], -ahead])
+        down[0] *= np.sign(np.linalg.det(down))
+    span = np.ptp(P if rides else P @ down.T, axis=0)
+    slope = 0.8 * float((centre / focal).min())
+    far = (float(span[:2].max()) / 2 + 0.75 * width) / slope + float(span[2]) / 2
     if rides and chain:
-        along = turns[:, :, 2]
-        ahead = along.mean(axis=0) / np.linalg.norm(along.mean(axis=0))
         at = looked_at(P, along, mid + far * ahead)
         C, f = np.eye(3), np.zeros(3)
         laid = np.column_stack([*np.linalg.svd(ahead[None])[2][1:], -ahead])
@@ -365,8 +379,8 @@ def mounted(x: Array, middle: Array, width: float, lens: Array, rides: bool, cha
         C, f = down @ R, np.zeros(3)
         laid, origin = np.eye(3), mid - np.array([0.0, 0.0, far]) - corner
     else:
-        C, f = down, down @ -(mid + np.array([0.0, 0.0, far]))
-        laid = R.T
-        origin = -R.T @ corner
+        C, f = down, down @ -(mid - far * down[2])
+        laid = np.eye(3) if chain else R.T
+        origin = -laid @ corner
     state = np.concatenate([C.ravel(), f, laid.ravel(), origin, [0.0], focal, centre, np.nan_to_num(lens[4:])])
     return np.append(state, float(rides))

@@ -174,6 +174,11 @@ class Facts:
         unit: str = self.kernels.COLUMNS[0].rpartition("_")[2]
         return unit
 
+    def unit_in(self, columns: Collection[str]) -> str:
+        """Return the unit in files of readings in some columns, in which their noise counts; mm where some are."""
+        units = {name.rpartition("_")[2] for name in columns}
+        return "mm" if "mm" in units or not units else min(units)
+
     @property
     def scale(self) -> float:
         """What one unit of a value inside (mm, rad, px) is at the platform [mm], as far as the file can say."""

@@ -27,6 +27,7 @@ from deltacal_gen.results.result import TouchedPoint
 from deltacal_gen.units import DEG, file_unit
 
 STARTS = 20  # steps of the instrument alone, from where its file lets it stand
+TURN_MM = 100.0  # at which a measured turn of 1 rad counts as a shift: what 6D trackers read, 0.01 mm beside 0.006 deg
 STARTED = 1e-12  # of a step's square: smaller ones change nothing
 ALL = (0, 1, 2, 3, 4, 5)  # coordinates of a body: position, rotation
 
@@ -267,8 +268,7 @@ class Instrument:
 
     def unit(self, columns: Sequence[str]) -> tuple[str, float] | None:
         """Return the unit of readings in columns of a file and what it is at the platform [mm]; None of lengths."""
-        names = {name.rpartition("_")[2] for name in columns}
-        name = "mm" if "mm" in names or not names else min(names)
+        name = self.kind.unit_in(columns)
         return None if name == "mm" else (name, self.scale * (DEG if name == "deg" else 1.0))
 
     def kept(self, setups: Sequence[str], zero: str, columns: Sequence[str] = ()) -> InstrumentState:

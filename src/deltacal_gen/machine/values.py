@@ -279,6 +279,11 @@ class Measurement:
     clock: str | None = None
     clock_offset_s: float | None = None
 
+    def with_noise(self, unit: str, sigma: float) -> Measurement:
+        """Return the same with a standard deviation in a unit: mm, deg or px."""
+        said: dict[str, Any] = {f"sigma_{unit}": sigma}
+        return dataclasses.replace(self, **said)
+
     @property
     def sigma_rad(self) -> float | None:
         """Standard deviation of measured angles [rad]."""

@@ -9,8 +9,10 @@ from pathlib import Path
 import numpy as np
 
 from deltacal_gen.errors import InputError
-from deltacal_gen.files.columns import Columns
+from deltacal_gen.files.columns import JOINT, Columns
+from deltacal_gen.files.dialect import LOOKED_AT
 from deltacal_gen.files.robot import robot_of
+from deltacal_gen.files.rows import csv_blocks
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion import trajectories
@@ -100,6 +102,17 @@ def in_motion(recording: object) -> Torque | None:
     path = Path(recording)
     sidecar = trajectories.read_sidecar(path)
     return None if sidecar is None else KINDS[sidecar.measurement.kind](path, sidecar)
+
+
+def is_recording(path: Path) -> bool:
+    """Tell whether a table is in motion as its sidecar says, and holds joints and what drives give; values unjudged."""
+    try:
+        if trajectories.read_sidecar(path) is None:
+            return False
+        names = next(csv_blocks(path, LOOKED_AT)).columns
+    except InputError:
+        return False
+    return any(JOINT.fullmatch(n) for n in names) and any(trajectories.READ.fullmatch(n) for n in names)
 
 
 def flaws(known: MotionModel) -> Iterator[tuple[str, str]]:

@@ -33,7 +33,7 @@ from deltacal_gen.results.batch import Done
 from deltacal_gen.results.diagnosis import Baseline, Diagnosis, Effect, Final, Verdict
 from deltacal_gen.results.motion import MotionStudy
 from deltacal_gen.results.result import Result, Status
-from deltacal_gen.results.study import Study, Suspect
+from deltacal_gen.results.study import Advice, Position, Study, Suspect
 from deltacal_gen.states import of_column
 from deltacal_gen.units import file_unit, joint_factors, joint_names, to_internal
 
@@ -445,12 +445,12 @@ def named(effect: Effect) -> str:
 # ------------------------------------------------------------------------------------------------- studies and fleets
 
 
-def before_and_after(axes: Axes, found: Study) -> None:
+def before_and_after(axes: Axes, found: Position) -> None:
     """Draw how the position error of a study's machines is spread, as built and calibrated."""
-    states = ((found.position.before, "as built", BEFORE), (found.position.after, "calibrated", AFTER))
+    states = ((found.before, "as built", BEFORE), (found.after, "calibrated", AFTER))
     for k, (spread, words, colour) in enumerate(states):
         count, middle = spread.histogram.count, spread.median_mm
-        axes.stairs(count / count.max(), spread.histogram.edges_mm, fill=True, color=colour, alpha=0.8)
+        axes.stairs(count / max(count.max(), 1), spread.histogram.edges_mm, fill=True, color=colour, alpha=0.8)
         text = f"{words}: {middle:.3g} mm"
         axes.annotate(
             text, (middle, 1.0), (0, 5), textcoords="offset points", ha=("right", "left")[k == 0], color=colour
@@ -463,16 +463,16 @@ def before_and_after(axes: Axes, found: Study) -> None:
     axes.set_xlabel("position error of a machine over the workspace (rms; the median is written), mm")
 
 
-def enough(axes: Axes, found: Study) -> None:
+def enough(axes: Axes, found: Advice) -> None:
     """Draw the position error against how much is measured."""
-    times = [e.times for e in found.advice.enough]
-    rms = [e.rms_mm for e in found.advice.enough]
+    times = [e.times for e in found.enough]
+    rms = [e.rms_mm for e in found.enough]
     axes.plot(times, rms, "o-", color=AFTER, ms=4)
     axes.plot([1.0], [rms[times.index(1.0)]], "o", color=AFTER, ms=9)
     axes.annotate("this plan", (1.0, rms[times.index(1.0)]), (8, 6), textcoords="offset points", color=INK)
     axes.set_xscale("log", base=2)
     axes.set_xticks(times, [f"{t:g}" for t in times])
-    axes.set_ylim(0, 1.15 * max(rms))
+    axes.set_ylim(0, 1.15 * max(rms) or 1.0)
     axes.set_xlabel("times the plan's readings")
     axes.set_ylabel("position error, mm")
 

@@ -11,7 +11,7 @@ from deltacal_gen.errors import UsageError
 from deltacal_gen.pages import figures
 from deltacal_gen.pages.figures import AFTER, MUTED, STYLE, Sheet, mpl
 from deltacal_gen.results.base import Answer
-from deltacal_gen.results.batch import Batch, FailedRow
+from deltacal_gen.results.batch import Batch, DrivesRow, FailedRow
 from deltacal_gen.results.comparison import Change, Comparison
 from deltacal_gen.results.diagnosis import Diagnosis
 from deltacal_gen.results.motion import MotionStudy
@@ -91,9 +91,16 @@ def _comparison(found: Comparison) -> Sheet:
 
 
 def _study(found: Study) -> Sheet:
+    if found.position is None or found.advice is None:
+        from deltacal_gen.pages import studies
+
+        tried = studies.tried(found.suspects)
+        figure, axes = figures.sheet(1, 1, (7.4, 0.9 + 0.3 * len(tried)))
+        figures.chances(axes, tried)
+        return figure
     figure, (spread, more) = figures.sheet(1, 2, (10, 3.5))
-    figures.before_and_after(spread, found)
-    figures.enough(more, found)
+    figures.before_and_after(spread, found.position)
+    figures.enough(more, found.advice)
     return figure
 
 
@@ -105,9 +112,9 @@ def _study_of_drives(found: MotionStudy) -> Sheet:
 
 
 def _batch(found: Batch) -> Sheet:
-    done = [row for row in found.rows if not isinstance(row, FailedRow)]
+    done = [row for row in found.rows if not isinstance(row, FailedRow | DrivesRow)]
     if not done:
-        raise UsageError("there is nothing to draw: no recording was done.")
+        raise UsageError("there is nothing to draw: no recording at rest was done.")
     figure, axes = figures.sheet(1, 1, (7.4, 0.8 + 0.16 * len(done)))
     figures.fleet(axes, done)
     return figure

@@ -28,7 +28,7 @@ from deltacal_gen.pages.left import Left, in_order, places, spread
 from deltacal_gen.physics.law import ADVICE as LAW_ADVICE
 from deltacal_gen.physics.terms import load_effect, of_the_instrument
 from deltacal_gen.results.base import shown_in
-from deltacal_gen.results.batch import ASIDE, Batch, FailedRow, alike, worst
+from deltacal_gen.results.batch import ASIDE, Batch, DrivesRow, FailedRow, alike, in_table, worst
 from deltacal_gen.results.diagnosis import (
     Baseline,
     Diagnosis,
@@ -122,11 +122,12 @@ def batch(found: Batch, links: Mapping[str, str] | None = None) -> str:
     rows, failed = found.rows, [r for r in found.rows if isinstance(r, FailedRow)]
     columns = [c for c in dict.fromkeys(k for r in rows for k, _ in r.written()) if c not in ASIDE]
     done = [r for r in rows if not isinstance(r, FailedRow)]
+    drawn = [r for r in done if not isinstance(r, DrivesRow)]  # all in one unit
     picture = ""
-    if len(done) > MOST_DRAWN:
-        picture = _svg(partial(figures.fleet_distribution, rows=done), (7.4, 3.2))
-    elif done:
-        picture = _svg(partial(figures.fleet, rows=done), (7.4, 0.8 + 0.16 * len(done)))
+    if len(drawn) > MOST_DRAWN:
+        picture = _svg(partial(figures.fleet_distribution, rows=drawn), (7.4, 3.2))
+    elif drawn:
+        picture = _svg(partial(figures.fleet, rows=drawn), (7.4, 0.8 + 0.16 * len(drawn)))
     changed = [(c.machine, f"{c.to} after {c.from_}: {c.text}") for c in found.changed]
     shown = worst(rows, MOST_ROWS)
     return _rendered(
@@ -135,7 +136,7 @@ def batch(found: Batch, links: Mapping[str, str] | None = None) -> str:
         found=found,
         headline=f"{len(done)} of {len(rows)} recordings done",
         picture=picture,
-        distribution=len(done) > MOST_DRAWN,
+        distribution=len(drawn) > MOST_DRAWN,
         failed=[both[::-1] for both in alike([(r.recording, r.error) for r in failed])[:MOST_ROWS]],
         warnings=[both[::-1] for both in alike([(r.recording, r.warnings) for r in rows if r.warnings])[:MOST_ROWS]],
         changed=changed[:MOST_ROWS],
@@ -152,7 +153,7 @@ def batch(found: Batch, links: Mapping[str, str] | None = None) -> str:
 
 
 def _cell(value: Any) -> str:
-    return "" if value is None else f"{value:.4f}" if isinstance(value, float) else str(value)
+    return f"{value:.4f}" if isinstance(value, float) else str(in_table(value))
 
 
 def _parameter_rows(found: Result, *, pinned: bool) -> list[tuple[str, str, str, str, str]]:

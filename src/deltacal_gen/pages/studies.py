@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import partial
+from typing import Any
 
 import numpy as np
 
 from deltacal_gen.pages import figures, report
+from deltacal_gen.results.base import shown_in
 from deltacal_gen.results.motion import MotionStudy, TorqueAddition, by_limb
-from deltacal_gen.results.study import Study, Suspect
+from deltacal_gen.results.study import Advice, Study, Suspect
 
 
 def page(found: Study | MotionStudy) -> str:
@@ -20,6 +22,8 @@ def page(found: Study | MotionStudy) -> str:
 def _of_poses(found: Study) -> str:
     """Return the page of a STUDY.json of a machine at rest."""
     position, advice = found.position, found.advice
+    if position is None or advice is None:
+        return _of_joints(found)
     before, after = position.before, position.after
     lead = (
         f"As built, machines of these tolerances are {before.rms_mm:.3f} mm off over the workspace. Calibrated "
@@ -33,8 +37,8 @@ def _of_poses(found: Study) -> str:
         found=found,
         headline=f"This plan leaves {after.rms_mm:.4f} mm",
         lead=lead,
-        steps=_steps(found),
-        errors=report.picture(partial(figures.before_and_after, found=found), (7.4, 2.6)),
+        steps=_steps(found, advice),
+        errors=report.picture(partial(figures.before_and_after, found=position), (7.4, 2.6)),
         positions=[
             (words, f"{p.rms_mm:.4f}", f"{p.p95_mm:.4f}", f"{p.worst_p95_mm:.4f}", expected)
             for words, p, expected in (
@@ -42,16 +46,42 @@ def _of_poses(found: Study) -> str:
                 ("calibrated", after, f"{after.predicted_rms_mm or 0.0:.4f}"),
             )
         ],
-        enough=report.picture(partial(figures.enough, found=found), (7.4, 2.4)),
+        enough=report.picture(partial(figures.enough, found=advice), (7.4, 2.4)),
         gains=[(report.sentence(g.add), f"{g.rms_mm:.4f}", f"{g.gain:.0%}") for g in advice.add],
-        suspects=[_suspect(s) for s in found.suspects],
-        chances=_chances(found.suspects),
+        **_suspected(found),
         parameters=report.picture(partial(figures.scatter, found=found), (7.4, 3.0)),
         rows=[
             (p.name, *(f"{v:.3g}" for v in (p.drawn_std, p.std, p.predicted_std, p.bias)), p.unit)
             for p in found.parameters
         ],
     )
+
+
+def _of_joints(found: Study) -> str:
+    """Return the page of a STUDY.json of readings of joints: what a diagnosis would find."""
+    tried = [s for s in found.suspects if s.effects]
+    right, count = sum(s.named_right for s in tried), sum(s.recordings for s in tried)
+    return report.page_of(
+        "study",
+        title=f"{found.robot.robot.name}: study of a plan",
+        machine=found.robot.robot.name,
+        found=found,
+        headline=f"{right} of {count} recordings say what is concealed in them" if count else "Nothing would be found",
+        lead="These readings see what moves joints. They say nothing of lengths: no source error is calibrated.",
+        steps=_to_find(found),
+        **_suspected(found),
+    )
+
+
+def _suspected(found: Study) -> dict[str, Any]:
+    """Return what a page says of effects that were concealed, figures in the unit of readings."""
+    unit, length = shown_in(found)
+    return {
+        "unit": unit,
+        "noise": found.noise_told,
+        "suspects": [_suspect(s, length) for s in found.suspects],
+        "chances": _chances(found.suspects),
+    }
 
 
 def _of_drives(found: MotionStudy) -> str:
@@ -113,8 +143,7 @@ def _over(found: MotionStudy, more: TorqueAddition) -> float:
     return float(np.mean(known)) if known else 1.0
 
 
-def _steps(found: Study) -> list[str]:
-    advice = found.advice
+def _steps(found: Study, advice: Advice) -> list[str]:
     steps = []
     if advice.worth:
         steps.append(f"More measuring pays: twice as many readings take {advice.doubling:.0%} off the error.")
@@ -123,6 +152,11 @@ def _steps(found: Study) -> list[str]:
     if advice.add:
         best = advice.add[0]
         steps.append(f"What helps most beside that is {best.add}: {best.gain:.0%} off.")
+    return steps + _to_find(found)
+
+
+def _to_find(found: Study) -> list[str]:
+    steps = []
     for c in found.channels_wanted:
         steps.append(f"To find {report.spaced(c.name)} at all, the plan needs {c.missing}.")
     for s in found.suspects:
@@ -133,9 +167,14 @@ def _steps(found: Study) -> list[str]:
 
 def _chances(suspects: Sequence[Suspect]) -> str:
     """Return a picture of how often each suspicion was named; nothing where none was concealed."""
-    tried = [(_concealed(s), s) for s in suspects if s.recordings]
-    size = (7.4, 0.9 + 0.3 * len(tried))
-    return report.picture(partial(figures.chances, suspects=tried), size) if tried else ""
+    drawn = tried(suspects)
+    size = (7.4, 0.9 + 0.3 * len(drawn))
+    return report.picture(partial(figures.chances, suspects=drawn), size) if drawn else ""
+
+
+def tried(suspects: Sequence[Suspect]) -> list[tuple[str, Suspect]]:
+    """Return the suspicions of which there are recordings, each behind its words."""
+    return [(_concealed(s), s) for s in suspects if s.recordings]
 
 
 def _concealed(suspect: Suspect) -> str:
@@ -143,15 +182,15 @@ def _concealed(suspect: Suspect) -> str:
     return " and ".join(words) or "nothing"
 
 
-def _suspect(s: Suspect) -> tuple[str, ...]:
+def _suspect(s: Suspect, length: float = 1.0) -> tuple[str, ...]:
     low, high = s.interval
     instead = "; ".join(f"{words} ({count})" for words, count in s.instead.items()) or "-"
-    figures_mm = [f"{v:.4f}" if v is not None else "-" for v in (s.before_mm, s.after_mm)]
+    held_out = [f"{v / length:.4f}" if v is not None else "-" for v in (s.before_mm, s.after_mm)]
     return (
         _concealed(s),
         str(s.recordings),
         str(s.named_right),
         f"{low:.0%} to {high:.0%}",
         instead,
-        *figures_mm,
+        *held_out,
     )

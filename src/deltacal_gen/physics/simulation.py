@@ -17,6 +17,7 @@ from pydantic import Field
 from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.files.toml import Number, Table, TomlFile, nearest
+from deltacal_gen.instrument.kind import TURN_MM
 from deltacal_gen.instrument.kinds import kind_of, measured_points
 from deltacal_gen.machine.registry import SOLVED, STATUS, Array, Machine, mechanism_of, nominal_joints
 from deltacal_gen.machine.rotation import from_vector, to_vector
@@ -158,6 +159,7 @@ def simulate(
     poses: Recording,
     errors: dict[str, float] | None = None,
     *,
+    noise: float = 0.0,
     noise_mm: float = 0.0,
     noise_rad: float = 0.0,
     rng: np.random.Generator | None = None,
@@ -175,8 +177,12 @@ def simulate(
         cells are not read.
     errors : dict, optional
         True source errors [mm, rad]; default the robot's own.
+    noise : float
+        Standard deviation per coordinate in the unit of the readings' file: mm, px, deg. Rotations beside lengths have
+        that of the sidecar, or where it says none what `TURN_MM` from the measured point is such a shift. What the
+        sidecar does not say of it the recording's says then; `rng` must be given.
     noise_mm, noise_rad : float
-        Standard deviation per coordinate, of images at the ball; `rng` must be given where they are not 0.
+        Instead of it, at the platform: of images at the ball or board.
     terms : sequence of Term
         Effects on the machine; compliant parts are solved to their static equilibrium.
     frame : (rotation vector (3,) [rad], origin (3,) [mm]), optional
@@ -209,6 +215,10 @@ def simulate(
     instrument = found.kind.drawn(poses, robot, x, frame, rng).mounted(mechanism, true)
     values, rotations = instrument.predict(found, x)
     values = values + reading_shift(terms, body, found, values, x)[0]
+    unit, length = instrument.unit(poses.columns or found.kind.columns(mechanism)) or ("mm", 1.0)
+    noise_mm = noise_mm or noise * length
+    if noise and rotations is not None:
+        noise_rad = noise_rad or poses.measurement.sigma_rad or noise_mm / TURN_MM
     if (noise_mm or noise_rad) and rng is None:
         raise ValueError("noise needs a random generator: pass rng.")
     if noise_mm and rng is not None:
@@ -221,8 +231,10 @@ def simulate(
         for axis, column in zip("xyz", to_vector(x[:, 3:].reshape(-1, 3, 3)).T, strict=True)
     }
     measurement = dataclasses.replace(poses.measurement, kind=poses.kind)
-    if noise_mm and poses.measurement.sigma_mm is None:
-        measurement = dataclasses.replace(measurement, sigma_mm=noise_mm)
+    if noise_mm and found.kind.sigma(measurement, instrument.scale) is None:
+        measurement = measurement.with_noise(unit, noise or noise_mm / length)
+    if noise_rad and rotations is not None and measurement.sigma_deg is None:
+        measurement = measurement.with_noise("deg", noise_rad / DEG)
     done = dataclasses.replace(
         poses, joints=joints, targets=None, measurement=measurement, channels={**poses.channels, **truth}
     )

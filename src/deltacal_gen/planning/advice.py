@@ -32,10 +32,15 @@ def advice(study: Study) -> Advice:
     gains = []
     for words, more in _ideas(study):
         left = rms_of(study, more)
-        gains.append(Addition(add=words, rms_mm=left, gain=1 - left / now))
-    doubling = 1 - enough[2].rms_mm / now
+        gains.append(Addition(add=words, rms_mm=left, gain=_gain(left, now)))
+    doubling = _gain(enough[2].rms_mm, now)
     add = tuple(sorted(gains, key=lambda g: g.rms_mm))
     return Advice(rms_mm=now, enough=enough, doubling=doubling, worth=bool(doubling > WORTH), add=add)
+
+
+def _gain(left: float, now: float) -> float:
+    """Return which part of an error is taken off where so much is left; none of no error."""
+    return 1 - left / now if now > 0 else 0.0
 
 
 def _ideas(study: Study) -> list[tuple[str, Linear]]:

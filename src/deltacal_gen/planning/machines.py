@@ -45,7 +45,7 @@ class Study:
     errors : tuple of str
         Source errors that machines have.
     sigma, turn_sigma : float
-        Noise per coordinate [mm] and of rotations [rad].
+        Noise per coordinate [mm], of images and encoders at the platform, and of rotations [rad].
     suspects : tuple of tuple of Term
         Each what one machine has beside its geometry.
     seed : int
@@ -63,7 +63,7 @@ class Study:
 
     def prepare(self) -> None:
         """Work out what all machines share."""
-        self.check  # noqa: B018
+        self.problem if self.sees_joints else self.check  # noqa: B018
 
     def machines(self, index: int, count: int) -> Machines:
         """Simulate and calibrate machines; see `machines`."""
@@ -130,6 +130,11 @@ class Study:
         return self.problem.begin(self.problem.reference)
 
     @property
+    def sees_joints(self) -> bool:
+        """Whether joints are read, so that no source error is seen and nothing calibrated."""
+        return self.problem.readings.kind.sees_joints
+
+    @property
     def known_frame(self) -> bool:
         """Whether the instrument stands in the robot's frame, so that nothing has to be aligned."""
         return self.problem.readings.kind.positions and not self.instrument.free
@@ -193,8 +198,10 @@ class Linear(Factored):
 def rows_of(study: Study, problem: Problem) -> tuple[Array, Array]:
     """Return a problem's readings by its unknowns (M, n + m) and by all source errors (M, n_p), in units of noise."""
     everything = problem.with_names([p.name for p in problem.mechanism.parameters])
-    state = everything.linearise(problem.reference, problem.begin(problem.reference))
+    instrument = problem.begin(problem.reference)
+    state = everything.linearise(problem.reference, instrument)
     both = np.concatenate([state.J_p, state.J_m], axis=2) / study.noise(state.J_p.shape[1])[:, None]
+    both[np.isnan(instrument.residual(problem.readings, problem.poses(problem.reference)))] = 0.0  # not read
     flat, n_p = np.nan_to_num(both).reshape(-1, both.shape[2]), len(problem.mechanism.parameters)
     return np.hstack([flat[:, problem.columns], flat[:, n_p:]]), flat[:, :n_p]
 

@@ -19,7 +19,7 @@ from deltacal_gen.identification.identifiability import (
     column_convention,
     observability,
 )
-from deltacal_gen.instrument.kind import Instrument, Kind, Readings
+from deltacal_gen.instrument.kind import TURN_MM, Instrument, Kind, Readings
 from deltacal_gen.instrument.kinds import MOUNTED, PAIRS, POINTS, kind_of
 from deltacal_gen.instrument.kinds import names as kind_names
 from deltacal_gen.machine.registry import Array, Machine, mechanism_of
@@ -44,7 +44,6 @@ SCALINGS = {
 }
 FEWEST = 3  # poses of a ring: rule (21)
 GENERIC_POSES = 60  # without any symmetry, for what poses can see at all
-TURN_MM = 100.0  # at which a measured turn of 1 rad counts as a shift: what 6D trackers read, 0.01 mm beside 0.006 deg
 
 
 @dataclass(frozen=True)
@@ -126,6 +125,8 @@ class Task:
         Reference points in {O'} [mm].
     mount : Mount or None
         Of a gauge.
+    said : Measurement
+        What the sidecar of the readings will say: where a camera is, what of its lens is known.
     """
 
     robot: Robot
@@ -137,6 +138,7 @@ class Task:
     dropped: tuple[str, ...]
     tools: Array
     mount: Mount | None = field(default=None, kw_only=True)
+    said: Measurement = field(default=Measurement(), kw_only=True)
 
     def step(self, n: int, poses: Poses, before: float = math.inf) -> Step:
         """Return the figures of a set of poses; `before` is the condition number of the last smaller one."""
@@ -151,7 +153,7 @@ class Task:
 
     def _columns(self, poses: Poses) -> Array:
         factors, _ = column_convention(self.robot, self.names, self.scaling)
-        columns: Array = matrix_of(self.robot, poses, self.names, kind_of(self.kind), self.mount) * factors
+        columns: Array = matrix_of(self.robot, poses, self.names, kind_of(self.kind), self.mount, self.said) * factors
         return columns
 
     def _condition(self, figures: Observability) -> float:
@@ -232,7 +234,7 @@ class Plan(Task):
                 f"the smallest n with |k(n) - k(n-1)| / k(n) <= {self.threshold:g}."
             )
         elif self.method == "joints":
-            from_where = spread_of(self.robot, kind_of(self.kind))
+            from_where = spread_of(self.robot, kind_of(self.kind), self.said)
             poses = (
                 f"{from_where[0].upper()}{from_where[1:]}; {self.steps[0].n} of them for the largest determinant of "
                 "the information on the model, the frame eliminated, then one by one what adds most; chosen is the "
@@ -374,11 +376,18 @@ def _reachable(robot: Robot, targets: Array, tools: Array) -> Poses:
     return reach(robot, targets[why == ""], tools)[0]
 
 
-def matrix_of(robot: Robot, poses: Poses, names: Sequence[str], kind: Kind, mount: Mount | None = None) -> Array:
+def matrix_of(
+    robot: Robot,
+    poses: Poses,
+    names: Sequence[str],
+    kind: Kind,
+    mount: Mount | None = None,
+    said: Measurement | None = None,
+) -> Array:
     """Return the identification matrix of readings at poses; of differences of adjacent rows at a `mount`."""
     moved = sensitivity(robot, poses, names)
     if mount is None:
-        return read_of(mechanism_of(robot), kind, poses, moved)
+        return read_of(mechanism_of(robot), kind, poses, moved, said)
     return _mounted(robot, poses, names, kind, moved, mount)
 
 
@@ -400,9 +409,9 @@ def _as_mounted(robot: Robot, kind: Kind) -> Robot:
     return dataclasses.replace(robot, errors={k: v for k, v in robot.errors.items() if k not in own})
 
 
-def read_of(mechanism: Machine, kind: Kind, poses: Poses, moved: Array) -> Array:
+def read_of(mechanism: Machine, kind: Kind, poses: Poses, moved: Array, said: Measurement | None = None) -> Array:
     """Return how readings change (rows, n) where the platform moves by `moved` (P, n_x, n); the frame projected out."""
-    found, instrument = kind.imagined(poses.x, poses.points, mechanism, Measurement())
+    found, instrument = kind.imagined(poses.x, poses.points, mechanism, said or Measurement())
     J, J_m = linearise(found, instrument, poses.x, moved)
     J = J.reshape(-1, moved.shape[2])
     return without(J, J_m.reshape(len(J), -1)) if instrument.n_unknown else J

@@ -17,7 +17,7 @@ from deltacal_gen.identification.identifiability import (
     column_convention,
     observability,
 )
-from deltacal_gen.instrument.kind import Kind
+from deltacal_gen.instrument.kind import TURN_MM, Kind
 from deltacal_gen.instrument.kinds import POINTS, kind_of, usual
 from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.machine.values import Measurement
@@ -26,7 +26,6 @@ from deltacal_gen.planning.matrix import (
     KINDS,
     NORMS,
     SCALINGS,
-    TURN_MM,
     Mount,
     Plan,
     Prediction,
@@ -68,6 +67,7 @@ def d_optimal(
     scaling: str | None = None,
     norm: str = "spectral",
     sigma_mm: float | None = None,
+    said: Measurement | None = None,
     rng: np.random.Generator | None = None,
 ) -> Plan:
     """Return the `count` positions among the candidates that pin the model down best, by Fedorov's exchange.
@@ -99,7 +99,7 @@ def d_optimal(
     ----------
     Fedorov 1972, Theory of Optimal Experiments, on exact D-optimal designs.
     """
-    task = task_of(robot, model, kind, tools, scaling, norm)
+    task = task_of(robot, model, kind, tools, scaling, norm, said=said)
     if singular is not None:
         candidates = singularities.near(robot, singular, CANDIDATES, np.random.default_rng(0))
     wanted = (
@@ -155,10 +155,10 @@ def predict(task: Task, poses: Poses, sigma_mm: float) -> Prediction | None:
         noise = np.zeros((count, 6, read * count))
         noise[:, :read] = np.eye(read * count).reshape(count, read, -1)
         noise[:, 3:] /= TURN_MM
-        both = read_of(mechanism, kind, poses, np.concatenate([moved, noise], axis=2))
+        both = read_of(mechanism, kind, poses, np.concatenate([moved, noise], axis=2), task.said)
         H, spread_by = both[:, : len(names)], both[:, len(names) :]
     else:
-        H = read_of(mechanism, kind, poses, moved)
+        H = read_of(mechanism, kind, poses, moved, task.said)
         spread_by = np.eye(len(H))
     if observability(H, count).rank < len(names):
         return None
@@ -180,6 +180,7 @@ def task_of(
     scaling: str | None,
     norm: str,
     mount: Mount | None = None,
+    said: Measurement | None = None,
 ) -> Task:
     """Return the task of a plan, what was not said chosen by the machine: kind, scaling and reference points."""
     mechanism = mechanism_of(robot)
@@ -203,7 +204,7 @@ def task_of(
         home = reached_of(robot, rings(workspace_of(robot), 1, ()), robot.tool)
         tools = 2 if np.abs(sensitivity(robot, home, names)[:, 3:]).max(initial=0.0) > RANK_TOLERANCE else 1
     points = reference_points(robot, tools) if isinstance(tools, int) else tools_of(tools)
-    kept = _kept(robot, names, points, kind_of(kind), mount)
+    kept = _kept(robot, names, points, kind_of(kind), mount, said or Measurement())
     return Task(
         robot=robot,
         model=mechanism.full_name(model),
@@ -214,13 +215,16 @@ def task_of(
         dropped=tuple(name for name in names if name not in kept),
         tools=points,
         mount=mount,
+        said=said or Measurement(),
     )
 
 
-def _kept(robot: Robot, names: Sequence[str], tools: Array, kind: Kind, mount: Mount | None = None) -> set[str]:
+def _kept(
+    robot: Robot, names: Sequence[str], tools: Array, kind: Kind, mount: Mount | None, said: Measurement
+) -> set[str]:
     """Return parameters that poses can tell apart: a registered model where one fits, else those of a pivoted QR."""
     poses, typical = generic(robot, tools, kind), column_convention(robot, names, "typical")[0]
-    H = matrix_of(robot, poses, names, kind, mount)
+    H = matrix_of(robot, poses, names, kind, mount, said)
     rank = observability(H * typical, len(poses)).rank
     if rank == len(names):
         return set(names)
@@ -238,13 +242,13 @@ def _with_frame(task: Task, poses: Poses) -> tuple[Array, Array, Array]:
 
     Distances lie between positions, of each reference point in a frame of its own.
     """
-    found, instrument = at_poses(task).imagined(poses.x, poses.points, mechanism_of(task.robot), Measurement())
+    found, instrument = at_poses(task).imagined(poses.x, poses.points, mechanism_of(task.robot), task.said)
     if kind_of(task.kind).pairs:
         found = dataclasses.replace(found, setup=np.repeat(np.arange(poses.points), len(poses) // poses.points))
         instrument = dataclasses.replace(instrument, state=np.tile(instrument.state, (poses.points, 1)))
     moved = sensitivity(task.robot, poses, task.names) * column_convention(task.robot, task.names, "typical")[0]
     J, F = linearise(found, instrument, poses.x, moved)
-    return J, F / np.linalg.norm(F, axis=(0, 1)), found.rows[:, 0]
+    return J, F / np.where((size := np.linalg.norm(F, axis=(0, 1))) > 0, size, 1.0), found.rows[:, 0]
 
 
 def bases(task: Task, poses: Poses) -> tuple[Array, Array]:

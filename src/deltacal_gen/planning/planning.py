@@ -89,6 +89,7 @@ def plan(
     n_max: int = 30,
     sigma_mm: float | None = None,
     mount: Mount | None = None,
+    said: Measurement | None = None,
     singular: tuple[float, float] | None = None,
 ) -> Plan:
     """Return the papers' poses on the rim of the workspace for n = 3 .. n_max, and the n that the rule chooses.
@@ -123,6 +124,8 @@ def plan(
         Noise per coordinate of a position, for the prediction.
     mount : Mount, optional
         Of a gauge: where its ends are.
+    said : Measurement, optional
+        What the sidecar of the readings will say, of a camera: whether it is fixed, what of its lens is known.
     singular : (float, float), optional
         Instead of rings positions drawn at random whose nearest singularity is so far away, from .. to [mm]
         (Traslosheros 2013, section 4: 50 to 100 mm).
@@ -141,7 +144,7 @@ def plan(
     Bai 2015, section 3.3, rule (21): min n subject to |k_n - k_(n-1)| / k_n <= threshold, n >= 3.
     Mei 2018, section 5, rule (31): min n subject to |k_1 - k_m| / k_1 <= threshold, n >= 3, k_m of the corrected gauge.
     """
-    task = task_of(robot, model, kind, tools, scaling, norm, mount)
+    task = task_of(robot, model, kind, tools, scaling, norm, mount, said)
     if n_max < FEWEST:
         raise UsageError(f"n_max is {n_max}, but a ring has at least {FEWEST} poses.")
     drawn = None if singular is None else singularities.near(robot, singular, n_max, np.random.default_rng(0))
@@ -262,7 +265,7 @@ def target_recording(found: Plan, path: str | Path = "poses.csv") -> Recording:
     recording = Recording(
         path=Path(path),
         kind=kind.name,
-        measurement=Measurement(kind=kind.name) if mount is None else mount.said,
+        measurement=dataclasses.replace(found.said, kind=kind.name) if mount is None else mount.said,
         joint_unit=mechanism.joint_unit,
         joints=found.poses.joints,
         columns=columns,

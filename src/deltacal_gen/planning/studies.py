@@ -5,6 +5,7 @@ it names none). It is simulated exactly, calibrated by Gauss-Newton whose Jacobi
 factored once for all, and judged over the workspace after the best alignment of the map as a whole: what stays when a
 workpiece has been located. Beside the simulated scatter stands what the covariance predicts for the linear problem.
 Suspected effects are concealed in recordings of such machines, which the diagnosis then sees as any other recording.
+Of readings of joints, which see no source error, nothing but these can be asked.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ from deltacal_gen.planning.monte_carlo import drawn
 from deltacal_gen.results import study as results
 from deltacal_gen.results.parts import EffectName
 from deltacal_gen.results.study import Advice, Histogram, Position, Spread, StudyParameter, Suspect
-from deltacal_gen.units import file_unit, to_internal
+from deltacal_gen.units import DEG, file_unit, to_internal
 
 
 def conduct(
@@ -64,7 +65,9 @@ def _conduct(
     directory: str | Path | None,
     told: Told,
 ) -> results.Study:
-    scalars, unknowns = study.problem.readings.n_scalars, study.linear.J.shape[1]
+    joints = study.sees_joints
+    unknowns = study.instrument.n_unknown if joints else study.linear.J.shape[1]
+    scalars = study.problem.readings.n_scalars
     if scalars < unknowns:
         raise InputError(
             f"the plan has {scalars} scalar readings for {unknowns} unknowns.",
@@ -73,9 +76,9 @@ def _conduct(
         )
     done, hidden, more = drawn(
         study,
-        trials,
+        0 if joints else trials,
         diagnoses,
-        lambda: advice(study),
+        lambda: None if joints else advice(study),
         workers=workers,
         cluster=cluster,
         directory=directory,
@@ -86,11 +89,37 @@ def _conduct(
 
 
 def _summed(
-    study: Study, model: str, chunks: Sequence[Machines], suspects: tuple[Suspect, ...], more: Advice
+    study: Study, model: str, chunks: Sequence[Machines], suspects: tuple[Suspect, ...], more: Advice | None
 ) -> results.Study:
-    problem, linear = study.problem, study.linear
+    problem, count = study.problem, sum(c.count for c in chunks)
+    kind = problem.readings.kind
+    unit = study.instrument.unit(problem.recording.columns)
+    found = results.Study(
+        model=model,
+        robot=kept_robot(study.robot),
+        kind=kind.name,
+        readings=problem.readings.n_scalars,
+        poses=len(set(problem.recording.pose.tolist())),
+        sigma_mm=study.sigma,
+        turn_sigma_deg=study.turn_sigma / DEG if kind.rotations else None,
+        unit=unit and unit[0],
+        unit_mm=unit and unit[1],
+        machines=count,
+        lost=sum(c.lost for c in chunks),
+        seed=study.seed,
+        parameters=(),
+        position=None,
+        suspects=suspects,
+        channels_wanted=channels_wanted(study),
+        advice=more,
+    )
+    return found if study.sees_joints else _with_machines(study, found, chunks)
+
+
+def _with_machines(study: Study, found: results.Study, chunks: Sequence[Machines]) -> results.Study:
+    """Return an answer with what became of machines that were calibrated."""
+    problem, linear, count = study.problem, study.linear, found.machines
     mechanism, n = problem.mechanism, len(study.names)
-    count = sum(c.count for c in chunks)
     if count == 0:
         raise NoSolutionError("no machine of the study could be simulated and calibrated: its errors are too large.")
     mean = np.sum([c.sum for c in chunks], axis=0) / count
@@ -113,16 +142,7 @@ def _summed(
                 stated_std=float(stated[k] / factor),
             )
         )
-    return results.Study(
-        model=model,
-        robot=kept_robot(study.robot),
-        kind=problem.readings.kind.name,
-        readings=problem.readings.n_scalars,
-        poses=len(set(problem.recording.pose.tolist())),
-        sigma_mm=study.sigma,
-        machines=count,
-        lost=sum(c.lost for c in chunks),
-        seed=study.seed,
+    return found.replace(
         parameters=tuple(parameters),
         position=Position(
             aligned=not study.known_frame,
@@ -130,9 +150,6 @@ def _summed(
             before=_spread([c.before for c in chunks]),
             after=_spread([c.after for c in chunks]).replace(predicted_rms_mm=rms_of(study, linear)),
         ),
-        suspects=suspects,
-        channels_wanted=channels_wanted(study),
-        advice=more,
     )
 
 

@@ -13,7 +13,7 @@ from deltacal_gen.identification.accuracy import joint_spread, workspace_of
 from deltacal_gen.instrument.kind import Kind
 from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.machine.rotation import about_z
-from deltacal_gen.machine.values import Workspace
+from deltacal_gen.machine.values import Measurement, Workspace
 from deltacal_gen.planning import boards
 
 LAYERS = {"top": 0.0, "middle": 0.5, "bottom": 1.0}  # part of the cylinder's height below its top
@@ -72,10 +72,15 @@ def edges(workspace: Workspace, n: int, layers: Sequence[str | float] = FINE) ->
     return np.vstack([workspace.place(x, part) for part in (parts_of(layers) if workspace.height else (0.0,))])
 
 
-def spread_of(robot: Robot, kind: Kind) -> str:
+def spread_of(robot: Robot, kind: Kind, said: Measurement) -> str:
     """Say what `candidates_of` draws from, in words."""
     if kind.aims == "touch":
         return "joints that bring the tip to points of a flat print, where it lies so that most of them arrive"
+    if kind.aims == "look" and said.camera is not None and said.camera.place == "fixed":
+        return (
+            "joints that show a board across the last axis to a camera at which that points, tilted by up to 35 deg; "
+            "it stands where most of them arrive"
+        )
     if kind.aims == "look":
         return (
             "joints from which a camera along the last axis looks at the middle of a board, from 0.75 to 1.35 of its "

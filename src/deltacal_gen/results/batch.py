@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import ClassVar, Literal
+from typing import Any, ClassVar, Literal
 
 from deltacal_gen.results.base import Answer, Value
 
 Action = Literal["diagnose", "identify", "validate"]
 ASIDE = ("machine", "error", "warnings")  # of a row, told apart from the table
+ByJoint = tuple[float | None, ...]
 FEW = 3  # recordings that are named where many have the same to say
 
 
@@ -66,7 +67,49 @@ class ValidatedRow(Value):
     before_mm: ClassVar[None] = None
 
 
-Done = DiagnosedRow | IdentifiedRow | ValidatedRow
+class DrivesRow(Value):
+    """A line of a recording in motion (kind torque): figures joint by joint, null of one that did not move."""
+
+    recording: str
+    machine: str
+    unit_by_joint: tuple[str, ...]
+    error: None
+    warnings: str | None = None
+
+    before_mm: ClassVar[None] = None
+    after_mm: ClassVar[None] = None
+
+
+class DiagnosedDrivesRow(DrivesRow):
+    """A recording's line of the table."""
+
+    verdict: str
+    effects: str
+    model: str
+    before_by_joint: ByJoint
+    after_by_joint: ByJoint
+    noise_by_joint: ByJoint
+    law: str | None = None
+
+
+class IdentifiedDrivesRow(DrivesRow):
+    """A recording's line of the table."""
+
+    model: str
+    after_by_joint: ByJoint
+    fitted_by_joint: ByJoint
+    noise_by_joint: ByJoint
+
+
+class ValidatedDrivesRow(DrivesRow):
+    """A recording's line of the table."""
+
+    after_by_joint: ByJoint
+    readings: int
+    chi2_per_dof: float | None
+
+
+Done = DiagnosedRow | IdentifiedRow | ValidatedRow | DiagnosedDrivesRow | IdentifiedDrivesRow | ValidatedDrivesRow
 Row = Done | FailedRow
 
 
@@ -116,7 +159,7 @@ def common(rows: Sequence[Row]) -> tuple[CommonLaw, ...]:
     """Return laws that several recordings have, those of most recordings first: each was found without the others."""
     where: dict[str, list[str]] = {}
     for row in rows:
-        if isinstance(row, DiagnosedRow) and row.law is not None:
+        if isinstance(row, DiagnosedRow | DiagnosedDrivesRow) and row.law is not None:
             where.setdefault(row.law, []).append(row.recording)
     several = [CommonLaw(law=law, recordings=tuple(names)) for law, names in where.items() if len(names) > 1]
     return tuple(sorted(several, key=lambda c: -len(c.recordings)))
@@ -128,6 +171,13 @@ def worst(rows: Sequence[Row], most: int) -> list[Row]:
         return list(rows)
     done = [r for r in rows if not isinstance(r, FailedRow)]
     return [*sorted(done, key=lambda r: -(r.after_mm or 0.0))[:most]]
+
+
+def in_table(value: Any) -> Any:
+    """Return a value as it stands in a table: joints side by side, blank where there is none."""
+    if isinstance(value, tuple):
+        return " ".join("-" if v is None else f"{v:.4g}" if isinstance(v, float) else str(v) for v in value)
+    return "" if value is None else value
 
 
 def alike(said: Sequence[tuple[str, str]]) -> list[tuple[str, str]]:

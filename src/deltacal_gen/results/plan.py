@@ -87,3 +87,37 @@ class Plan(Answer):
     def summary(self) -> str:
         """Return the answer as text, as `print` shows it."""
         return str(self)
+
+
+class Visit(Value):
+    """A row to be measured: joints under the key of their unit, and from which side each of them comes."""
+
+    joints_deg: tuple[float, ...] | None = None
+    joints_mm: tuple[float, ...] | None = None
+    joints: tuple[float, ...] | None = None
+    """Of a machine that has joints of both kinds: deg and mm."""
+    approach: tuple[int, ...]
+    cycle: int | None = None
+
+
+class CyclePlan(Answer):
+    """Joints that are gone through from both sides: one axis in cycles, or joints behind second encoders."""
+
+    schema: Literal["deltacal.cycles/1"] = "deltacal.cycles/1"
+    robot: str
+    mechanism: str
+    kind: str
+    positions: int
+    cycles: int | None
+    """Of one axis, each forth and back; null of several joints."""
+    conventions: str
+    poses: tuple[Visit, ...]
+
+    @property
+    def headline(self) -> str:
+        """How many rows."""
+        return f"{len(self.poses)} rows: {self.conventions}"
+
+    def table(self) -> tuple[Visit, ...]:
+        """Return the rows."""
+        return self.poses

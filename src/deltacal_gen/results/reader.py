@@ -24,6 +24,7 @@ ANSWERS = {  # what `schema` says, and the type of it: module and class
     "deltacal.batch/1": ("batch", "Batch"),
     "deltacal.certificate/1": ("certificate", "Certificate"),
     "deltacal.comparison/1": ("comparison", "Comparison"),
+    "deltacal.cycles/1": ("plan", "CyclePlan"),
     "deltacal.demo/2": ("demo", "Demo"),
     "deltacal.derivation/1": ("written", "Derivation"),
     "deltacal.diagnosis/1": ("diagnosis", "Diagnosis"),

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from collections.abc import Iterator
+from typing import Any, Literal
 
-from deltacal_gen.results.base import Answer, Counts, Numbers, Value
+from deltacal_gen.results.base import Answer, Counts, Numbers, Value, shown_in
 from deltacal_gen.results.parts import EffectName, Missing, RobotTables
 
 
@@ -108,19 +109,48 @@ class Study(Answer):
     readings: int
     poses: int
     sigma_mm: float
+    """Noise of a coordinate at the platform; in the unit of readings beside it."""
+    turn_sigma_deg: float | None = None
+    """Noise of rotations, where they are read."""
+    unit: str | None = None
+    """Of readings that are no lengths: px, deg."""
+    unit_mm: float | None = None
+    """What it is at the platform."""
     machines: int
     lost: int
     """Machines that could not be simulated or calibrated."""
     seed: int
     parameters: tuple[StudyParameter, ...]
-    position: Position
+    position: Position | None
+    """None of readings of joints, which see no source error."""
     suspects: tuple[Suspect, ...]
     channels_wanted: tuple[Missing, ...]
-    advice: Advice
+    advice: Advice | None
+
+    def written(self) -> Iterator[tuple[str, Any]]:
+        """Yield key and value of all that is written; the noise in the unit of the readings too."""
+        for key, value in super(Answer, self).written():
+            yield key, value
+            if key == "sigma_mm" and self.unit is not None:
+                yield f"sigma_{self.unit}", self.noise
+
+    @property
+    def noise(self) -> float:
+        """Noise of a reading in its unit."""
+        return self.sigma_mm / shown_in(self)[1]
+
+    @property
+    def noise_told(self) -> str:
+        """Noise of a reading in words."""
+        turns = "" if self.turn_sigma_deg is None else f" and {self.turn_sigma_deg:.3g} deg"
+        return f"{self.noise:.6g} {shown_in(self)[0]}{turns}"
 
     @property
     def headline(self) -> str:
         """What the plan leaves."""
+        if self.position is None:
+            named = sum(s.named_right for s in self.suspects)
+            return f"{self.model}: {named} of {sum(s.recordings for s in self.suspects)} diagnoses name what is there"
         before, after = self.position.before, self.position.after
         errors = f"{before.rms_mm:.4g} mm as built, {after.rms_mm:.4g} mm calibrated"
         return f"{self.model}: {errors} ({self.machines} machines)"

@@ -129,7 +129,7 @@ def simulate(
     output: str | Path,
     errors: Mapping[str, float] | None = None,
     *,
-    noise_mm: float = 0.0,
+    noise: float = 0.0,
     rng: np.random.Generator | None = None,
     frame: tuple[Array, Array] | None = None,
     rows: int = ROWS,
@@ -158,8 +158,7 @@ def simulate(
             ):
                 turn, origin = drawn_frames(part, 1, rng)
                 seen = turn[0], origin[0]
-            turns = part.measurement.sigma_rad or 0.0 if noise_mm else 0.0
-            yield simulation.simulate(robot, part, true, noise_mm=noise_mm, noise_rad=turns, rng=rng, frame=seen)
+            yield simulation.simulate(robot, part, true, noise=noise, rng=rng, frame=seen)
 
     size, blocks = _begun(read_blocks(poses, mechanism, rows, need_measured=False, allow_targets=True))
     with working("blocks", size):

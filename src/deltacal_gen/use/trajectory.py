@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
+import numpy as np
+
+from deltacal_gen.files.recording import targets_of
 from deltacal_gen.files.robot import robot_of
 from deltacal_gen.files.rows import Rows, read_table
-from deltacal_gen.machine.registry import mechanism_of
-from deltacal_gen.machine.values import Robot
+from deltacal_gen.machine.registry import SOLVED, UNREACHABLE, mechanism_of
+from deltacal_gen.machine.values import ROTATION, Robot
 from deltacal_gen.motion.feedforward import FeedForward, fed_forward
 from deltacal_gen.motion.trajectories import Sidecar, read_sidecar, trajectories
 from deltacal_gen.results.motion import MotionModel
@@ -16,13 +21,15 @@ from deltacal_gen.results.reader import TORQUE
 from deltacal_gen.units import joint_factors, joint_names
 from deltacal_gen.use.compensation import Compensator
 
-TARGET = ("x_mm", "y_mm", "z_mm")
+if TYPE_CHECKING:
+    from deltacal_gen.machine.registry import Array
 
 
 def feed_forward(known: MotionModel, path: str | Path) -> FeedForward:
     """Return commanded joints and torques along a trajectory: ``time_s``, and joints or targets.
 
-    Targets are brought to joints by the geometry of the result's own robot, its source errors included.
+    Targets, with the rotation of a machine that turns on command, are brought to joints by the geometry of the result's
+    own robot, its source errors included.
 
     Raises
     ------
@@ -33,7 +40,9 @@ def feed_forward(known: MotionModel, path: str | Path) -> FeedForward:
     """
     robot, path = robot_of(known.robot), Path(path)
     mechanism, rows = mechanism_of(robot), read_table(path)
-    if joint_names(mechanism.joint_unit, mechanism.limbs)[0] not in rows.columns and TARGET[0] in rows.columns:
+    if joint_names(mechanism.joint_unit, mechanism.limbs)[0] not in rows.columns and (
+        set(rows.columns) & {f"{axis}_mm" for axis in mechanism.axes}
+    ):
         rows = _with_joints(rows, robot)
     sidecar = read_sidecar(path) or Sidecar.model_validate({"measurement": {"kind": TORQUE}})
     return fed_forward(known, trajectories(rows, mechanism, sidecar, need_measured=False))
@@ -42,11 +51,33 @@ def feed_forward(known: MotionModel, path: str | Path) -> FeedForward:
 def _with_joints(rows: Rows, robot: Robot) -> Rows:
     """Return the rows of targets with the joints that bring the reference point there, to the last digit."""
     mechanism = mechanism_of(robot)
-    rows.require(*TARGET)
-    joints = Compensator(robot).joints(rows.numbers(*TARGET, blank=False))
+    targets, others = targets_of(rows, mechanism)
+    if turns := [name for name in ROTATION if name in others.columns]:
+        raise rows.error(
+            f"{mechanism.name} does not turn on command about this axis.", "Leave the column out.", column=turns[0]
+        )
+    compensator = Compensator(robot)
+    near = _followed(compensator, targets, rows.labels("run", blank=False)) if mechanism.many_ways else None
+    joints = compensator.joints(targets, near=near)
     names, factors = (
         joint_names(mechanism.joint_unit, mechanism.limbs),
         joint_factors(mechanism.joint_unit, mechanism.limbs),
     )
     cells = {name: [repr(v) for v in values] for name, values in zip(names, (joints / factors).T.tolist(), strict=True)}
-    return dataclasses.replace(rows.without(TARGET), columns=rows.without(TARGET).columns | cells)
+    return dataclasses.replace(others, columns=others.columns | cells)
+
+
+def _followed(compensator: Compensator, targets: Array, runs: Sequence[str] | None) -> Array:
+    """Return joints (N, n_q) at which a chain stands along targets: it goes on standing as it stood, run by run.
+
+    A start of its own has only the first target of each run, and one that does not follow from the one before it.
+    """
+    found = np.zeros((len(targets), compensator.mechanism.limbs))
+    for k in range(len(targets)):
+        at, status = targets[k : k + 1], np.array([UNREACHABLE])
+        if k and (runs is None or runs[k] == runs[k - 1]):
+            q, status = compensator.command(at, near=found[k - 1 : k])
+        if status[0] != SOLVED:
+            q, status = compensator.nominal_command(at)
+        found[k] = q[0] if status[0] == SOLVED else found[k - 1]
+    return found

@@ -23,14 +23,15 @@ from deltacal_gen.app.cli.common import (
 
 MOST_NOTES = 4  # on the screen
 if TYPE_CHECKING:
+    from deltacal_gen.machine.values import Recording
     from deltacal_gen.results.motion import MotionPlan
-    from deltacal_gen.results.plan import Plan
+    from deltacal_gen.results.plan import CyclePlan, Plan
 
 
 Measured = Annotated[
     str | None,
     typer.Option(
-        help="what will be measured: distance, position, pose, gauge, torque, 'board image' or 'touched board'",
+        help="what is measured: distance, position, pose, gauge, encoder, torque, 'board image' or 'touched board'",
         show_default=False,
     ),
 ]
@@ -50,35 +51,50 @@ Scaling = Annotated[
 ]
 
 
+SidecarFile = Annotated[
+    Path | None,
+    typer.Option(help="what the readings' sidecar will say: kind, place and lens of a camera", show_default=False),
+]
+Positions = Annotated[
+    int | None, typer.Option(help="one axis, or kind encoder: reached from both sides", show_default=False)
+]
+Cycles = Annotated[int | None, typer.Option(help="one axis: forth and back; default 5", show_default=False)]
 Layers = Annotated[
     str | None, typer.Option(help="of the rings: top,middle,bottom; default as the paper", show_default=False)
 ]
 
 
+PlannedModel = Annotated[
+    str | None,
+    typer.Option("--model", help="e.g. delta/18; not needed for kinds torque and encoder", show_default=False),
+]
+GaugeFile = Annotated[
+    Path | None, typer.Option(help="a sidecar that says where a gauge's ends are mounted", show_default=False)
+]
+Points = Annotated[
+    int | None, typer.Option(help="reference points on the platform, 1 to 3; default as the model needs")
+]
+Threshold = Annotated[float, typer.Option(help="relative change of the condition number that the rule tolerates")]
+Optimal = Annotated[int | None, typer.Option(help="so many D-optimal poses instead of rings", show_default=False)]
+
+
 def plan(
     robot: RobotFile,
-    model: Annotated[
-        str | None, typer.Option("--model", help="e.g. delta/18; not needed for kind torque", show_default=False)
-    ] = None,
+    model: PlannedModel = None,
     kind: Measured = None,
-    gauge: Annotated[
-        Path | None, typer.Option(help="a sidecar that says where a gauge's ends are mounted", show_default=False)
-    ] = None,
-    points: Annotated[
-        int | None, typer.Option(help="reference points on the platform, 1 to 3; default as the model needs")
-    ] = None,
+    gauge: GaugeFile = None,
+    sidecar: SidecarFile = None,
+    points: Points = None,
     start_angle: Annotated[float, typer.Option(help="of the first pose of a ring, deg")] = 0.0,
     layers: Layers = None,
     scaling: Scaling = None,
     norm: Annotated[str, typer.Option(help="of the condition number: spectral or frobenius")] = "spectral",
-    threshold: Annotated[
-        float, typer.Option(help="relative change of the condition number that the rule tolerates")
-    ] = 0.01,
+    threshold: Threshold = 0.01,
     sigma: Annotated[float | None, typer.Option(help="noise, mm: predict what the poses will give")] = None,
-    optimal: Annotated[
-        int | None, typer.Option(help="so many D-optimal poses instead of rings", show_default=False)
-    ] = None,
+    optimal: Optimal = None,
     singular: Singular = None,
+    positions: Positions = None,
+    cycles: Cycles = None,
     runs: Annotated[int, typer.Option(help="kind torque: movements, each a run")] = 3,
     period: Annotated[float, typer.Option(help="kind torque: of each movement, s")] = 10.0,
     harmonics: Annotated[int, typer.Option(help="kind torque: of its Fourier series")] = 5,
@@ -95,7 +111,17 @@ def plan(
 
     if plans_motion(kind, model):
         series: dict[str, Any] = {"runs": runs, "period": period, "harmonics": harmonics, "rate": rate}
-        moving = commands.plan(robot, model, output, optimal=optimal, picture=picture, gauge=gauge, kind=kind, **series)
+        moving = commands.plan(
+            robot,
+            model,
+            output,
+            optimal=optimal,
+            picture=picture,
+            gauge=gauge,
+            sidecar=sidecar,
+            kind=kind,
+            **series,
+        )
         _show_trajectory(cast("MotionPlan", moving), output, as_json)
         return
     kind = kind or (None if gauge is None else MOUNTED)
@@ -105,13 +131,14 @@ def plan(
         options |= {"start_angle": start_angle * DEG, "threshold": threshold}
         options |= {"layers": layers.split(",")} if layers else {}
         options |= {"gauge": gauge} if gauge else {}
+    options |= {"positions": positions, "cycles": cycles, "sidecar": sidecar}
     found = cast("Plan", commands.plan(robot, model, output, optimal=optimal, picture=picture, **options))
     if as_json:
         print_json(found)
         return
-    _show_plan(found)
+    what = _show_plan(found)
     if output is not None:
-        screen.print(f"{len(found.poses)} targets written to {output}")
+        screen.print(f"{len(found.poses)} {what} written to {output}")
 
 
 def _show_trajectory(found: MotionPlan, output: Path | None, as_json: bool) -> None:
@@ -132,7 +159,13 @@ def _show_trajectory(found: MotionPlan, output: Path | None, as_json: bool) -> N
         screen.print(f"{len(found.n)} runs written to {output}")
 
 
-def _show_plan(found: Plan) -> None:
+def _show_plan(found: Plan | CyclePlan) -> str:
+    """Print a plan; return what its file holds."""
+    from deltacal_gen.results.plan import CyclePlan
+
+    if isinstance(found, CyclePlan):
+        screen.print(found.headline)
+        return "rows"
     screen.print(found.conventions)
     if found.n:
         table = Table("n", "poses", "rank", "condition", "change", "O1", "O3")
@@ -155,6 +188,7 @@ def _show_plan(found: Plan) -> None:
     if len(notes) > MOST_NOTES:
         screen.print(f"  and {len(notes) - MOST_NOTES} more poses likewise")
     screen.print(f"chosen: {found.chosen}, {len(found.poses)} poses")
+    return "targets"
 
 
 def simulate(
@@ -164,7 +198,9 @@ def simulate(
     ],
     output: Annotated[Path, typer.Option("-o", "--output", help="the recording to write")],
     truth: Annotated[Path | None, typer.Option(help="TRUTH.toml: the true errors", show_default=False)] = None,
-    noise: Annotated[float, typer.Option(help="standard deviation per coordinate, mm")] = 0.0,
+    noise: Annotated[
+        float, typer.Option(help="standard deviation of a reading, in its unit (mm, px, deg; Nm, N, A)")
+    ] = 0.0,
     seed: Annotated[int, typer.Option(help="of noise and unknown frame")] = 0,
     blocks: Blocks = False,
     decimal: Decimal = None,
@@ -176,15 +212,30 @@ def simulate(
 
     if blocks:
         rows = commands.simulate_blocks(robot, poses, output, truth=truth, noise=noise, seed=seed)
-        kind, what = None, "readings"
+        kind, what, noisy = None, "readings", None
     else:
         done = commands.simulate(robot, poses, output, truth=truth, noise=noise, seed=seed)
         rows = done.n_rows if done.pairs is None else len(done.pairs)
-        kind, what = done.kind, f"readings of the kind {done.kind}"
+        kind, what, noisy = done.kind, f"readings of the kind {done.kind}", _noise_told(done, noise)
     if as_json:
         print_json(Simulated(recording=str(output), readings=rows, kind=kind))
     else:
         screen.print(f"{rows} {what} written to {output}")
+        if noisy is not None:
+            screen.print(noisy)
+
+
+def _noise_told(done: Recording, noise: float) -> str | None:
+    """Say in which unit noise was taken, where that is not mm alone."""
+    from deltacal_gen.instrument.kinds import kind_of
+
+    if not noise or done.kind == "torque":
+        return None
+    kind, turns = kind_of(done.kind), done.measurement.sigma_deg
+    if kind.rotations:
+        return f"noise: {noise:g} mm of positions, {turns:.3g} deg of rotations"
+    unit = kind.unit_in(done.columns)
+    return None if unit == "mm" else f"noise: {noise:g} {unit} of each reading"
 
 
 def next_(

@@ -42,7 +42,7 @@ def study(
     trials: Annotated[int, typer.Option("--trials", help="machines to be simulated and calibrated")] = 1000,
     noise: Annotated[
         float | None,
-        typer.Option("--noise", help="of the instrument (mm), of what drives give (Nm, N, A); default the sidecar's"),
+        typer.Option("--noise", help="of a reading, in its unit (mm, px, deg; Nm, N, A); default the sidecar's"),
     ] = None,
     suspects: Annotated[
         list[Path] | None,
@@ -92,6 +92,10 @@ def study(
 def _show_study(found: Study) -> None:
     """Print what a plan will give: errors, parameters, what diagnoses would say, what to add."""
     position, advice = found.position, found.advice
+    if position is None or advice is None:
+        screen.print(f"{found.model}: these readings see no source error; noise {found.noise_told}")
+        _show_suspects(found)
+        return
     table = Table("position over the workspace, mm", "rms", "95 % of machines", "largest, 95 %", "predicted rms")
     for p, words in ((position.before, "as built"), (position.after, f"calibrated, {found.model}")):
         expected = f"{p.predicted_rms_mm:.4f}" if p.predicted_rms_mm is not None else ""
@@ -102,6 +106,8 @@ def _show_study(found: Study) -> None:
         table.add_row(q.name, *(number(v, 3) for v in (q.drawn_std, q.std, q.predicted_std)), q.unit)
     screen.print(table)
     _show_suspects(found)
+    if found.unit is not None or found.turn_sigma_deg is not None:
+        screen.print(f"Each coordinate is read with a noise of {found.noise_told}.")
     screen.print(f"Twice the measuring takes {advice.doubling:.0%} off the error.")
     for g in advice.add:
         screen.print(f"{g.add}: {g.gain:.0%} off")
@@ -160,7 +166,7 @@ def batch(
 ) -> None:
     """Identify, validate or diagnose many recordings; what is done is not done again."""
     from deltacal_gen.app import commands
-    from deltacal_gen.results.batch import ASIDE, alike, worst
+    from deltacal_gen.results.batch import ASIDE, alike, in_table, worst
 
     with counting(as_json) as told:
         found = commands.batch(
@@ -174,7 +180,7 @@ def batch(
     table = Table(*[Column(c.replace("_", " "), overflow="fold") for c in columns])
     for r in worst(rows, MOST_LINES):
         cells = [getattr(r, c, None) for c in columns]
-        table.add_row(*[number(c) if isinstance(c, float) else str(c if c is not None else "") for c in cells])
+        table.add_row(*[number(c) if isinstance(c, float) else str(in_table(c)) for c in cells])
     screen.print(table)
     if len(rows) > MOST_LINES:
         screen.print(f"These are the {MOST_LINES} with the largest errors.")

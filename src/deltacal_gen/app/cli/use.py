@@ -230,6 +230,12 @@ def _show_validation(found: Validation) -> None:
             f"ISO 9283, {iso.poses} poses: accuracy AP {iso.AP_mean_mm:.4f} mm (largest {iso.AP_max_mm:.4f}), "
             f"repeatability RP {iso.RP_mean_mm:.4f} mm (largest {iso.RP_max_mm:.4f})"
         )
+    if (axis := found.iso230) is not None:
+        screen.print(
+            f"ISO 230-2, {axis.poses} positions from both sides, mm: accuracy A {axis.A_mm:.4f}, "
+            f"systematic E {axis.E_mm:.4f}, repeatability R {axis.R_mm:.4f}, reversal B {axis.B_mm:.4f}, "
+            f"mean M {axis.M_mm:.4f}"
+        )
 
 
 def _placed(p: Placed) -> str:

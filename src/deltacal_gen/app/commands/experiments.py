@@ -24,6 +24,7 @@ from deltacal_gen.app.commands.common import (
 )
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.robot import Robot, for_model, for_names
+from deltacal_gen.files.sidecar import read_measurement
 from deltacal_gen.files.writing import csv_text, write_files, write_recording
 from deltacal_gen.instrument.kinds import MOUNTED
 from deltacal_gen.machine.registry import mechanism_of
@@ -34,7 +35,7 @@ if TYPE_CHECKING:
     from deltacal_gen.physics.terms import Term
     from deltacal_gen.results.diagnosis import Diagnosis
     from deltacal_gen.results.motion import MotionPlan
-    from deltacal_gen.results.plan import Plan
+    from deltacal_gen.results.plan import CyclePlan, Plan
     from deltacal_gen.results.reader import Given
     from deltacal_gen.results.written import Experiment, Looped, Round
 
@@ -47,9 +48,13 @@ def plan(
     optimal: int | None = None,
     picture: Source | None = None,
     gauge: Source | None = None,
+    sidecar: Source | None = None,
     **options: Any,
 ) -> Plan:
     """Return measuring poses for a model: rings by the paper's rule (21), or a D-optimal set.
+
+    Of one axis, and of kind encoder, the answer is a `results.plan.CyclePlan`: joints that are reached from either
+    side, see `planning.both_sides`.
 
     Of kind torque (or model ``MECHANISM/rigid``) the answer is a `results.motion.MotionPlan`: exciting
     trajectories, see `planning.exciting`.
@@ -57,7 +62,7 @@ def plan(
     Parameters
     ----------
     model : str
-        Needed but for kind torque.
+        Needed but for kinds torque and encoder, and a machine that has but one.
     output : path
         The targets as a CSV that `simulate` reads; the trajectory with its sidecar.
     optimal : int
@@ -66,8 +71,10 @@ def plan(
         Condition number against n; of trajectories their course and their limits.
     gauge : path
         A sidecar with ``base_point_mm`` and ``platform_point_mm``: where the ends of a gauge are mounted.
+    sidecar : path
+        What the readings' own will say: ``kind``, and of images ``[measurement.camera]`` with its ``place``.
     options
-        Of `planning.plan`, of `optimal.d_optimal`, or of `exciting.exciting`.
+        Of `planning.plan`, of `optimal.d_optimal`, of `exciting.exciting`, or of `both_sides.both_sides`.
     """
     from deltacal_gen.motion.kinds import plans_motion
     from deltacal_gen.planning import matrix, planning
@@ -76,19 +83,34 @@ def plan(
     model = None if model is None else str(model)
     check_output(output, robot)
     check_output(picture, robot, ending=PICTURES)
+    if sidecar is not None:
+        said = read_measurement(sidecar)
+        options["kind"] = options.get("kind") or said.kind
+        options["said"] = said
     if plans_motion(options.get("kind"), model):
-        if optimal is not None or gauge is not None:
-            raise UsageError("trajectories are planned without --optimal and --gauge.")
+        if optimal is not None or gauge is not None or sidecar is not None:
+            raise UsageError("trajectories are planned without --optimal, --gauge and --sidecar.")
         options.pop("kind", None)
         return cast("Plan", _exciting(as_robot(robot), output, picture, **options))
+    robot = as_robot(robot)
+    reached = {name: options.pop(name, None) for name in ("positions", "cycles")}
+    if (named := _from_both_sides(robot, options.get("kind"))) is not None and gauge is None:
+        if optimal is not None or picture is not None or options.get("singular") is not None:
+            raise UsageError(
+                "joints that are reached from both sides are planned without --optimal, --singular, --picture."
+            )
+        return cast("Plan", _both_sides(robot, named, output, **reached))
+    if any(value is not None for value in reached.values()):
+        raise UsageError(
+            "positions and cycles are of one axis and of kind encoder; poses have their number by --optimal."
+        )
     if model is None:
-        robot = as_robot(robot)
         model, *others = mechanism_of(robot).models
         if others:
             raise UsageError(
                 f"give the model whose parameters the poses shall tell: --model {', '.join((model, *others))}."
             )
-    robot = for_model(as_robot(robot), model)
+    robot = for_model(robot, model)
     if gauge is not None and optimal is not None:
         raise UsageError("D-optimal sets are chosen for positions and distances, not for a gauge.")
     if gauge is not None:
@@ -100,6 +122,26 @@ def plan(
         from deltacal_gen.pages import plans
 
         plans.figure(found, picture)
+    return found.answer()
+
+
+def _from_both_sides(robot: Robot, kind: str | None) -> str | None:
+    """Return the kind of readings for which joints are gone through from both sides; None of any other."""
+    from deltacal_gen.instrument import kinds
+
+    name = next((n for n in kinds.names() if kind in (n, *kinds.kind_of(n).aliases)), kind)
+    if name in kinds.names() and kinds.kind_of(name).sees_joints:
+        return name
+    return "position" if mechanism_of(robot).limbs == 1 and name in (None, "position") else None
+
+
+def _both_sides(robot: Robot, kind: str, output: Source | None, **options: Any) -> CyclePlan:
+    """Return joints that are reached from both sides, written where asked."""
+    from deltacal_gen.planning import both_sides
+
+    found = both_sides.both_sides(robot, kind, **options)
+    if output is not None:
+        both_sides.write_rows(found, output)
     return found.answer()
 
 
@@ -133,7 +175,8 @@ def simulate(
     truth : path or mapping
         TRUTH.toml, or source errors by name [mm, rad].
     noise : float
-        Standard deviation per coordinate [mm]; in motion that of a reading in its unit.
+        Standard deviation of a reading in its unit: per coordinate mm, px or deg; in motion Nm, N or A. Rotations
+        beside lengths have the sidecar's `sigma_deg`, or what 100 mm from the measured point is such a shift.
     seed : int
         Of noise and of an unknown instrument frame.
     """
@@ -141,7 +184,7 @@ def simulate(
 
     check_output(output, robot, poses, truth, ending=(".csv",))
     if not (noise >= 0 and np.isfinite(noise)) or seed < 0:
-        raise UsageError("noise must be a number of mm that is not negative, and seed an integer from 0.")
+        raise UsageError("noise must be a number that is not negative, and seed an integer from 0.")
     if (moving := in_motion(poses)) is not None:
         if isinstance(truth, Mapping):
             raise UsageError("the truth of a recording in motion is a file, TRUTH.toml.")
@@ -159,8 +202,7 @@ def simulate(
         robot,
         given,
         errors,
-        noise_mm=noise,
-        noise_rad=given.measurement.sigma_rad or 0.0 if noise else 0.0,
+        noise=noise,
         rng=np.random.default_rng(seed),
         terms=terms,
     )
@@ -211,7 +253,7 @@ def simulate_blocks(
     robot, errors, terms = _truth(as_robot(robot), truth)
     if terms:
         raise UsageError("effects are not simulated in blocks; leave --blocks out.")
-    return streams.simulate(robot, poses, output, errors, noise_mm=noise, rng=np.random.default_rng(seed))
+    return streams.simulate(robot, poses, output, errors, noise=noise, rng=np.random.default_rng(seed))
 
 
 def _truth(

@@ -23,8 +23,10 @@ from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.robot import for_model
 from deltacal_gen.files.sidecar import LEAST, MOST
 from deltacal_gen.files.writing import write_files
+from deltacal_gen.instrument.kind import TURN_MM
+from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.registry import mechanism_of
-from deltacal_gen.units import DEG
+from deltacal_gen.machine.values import Measurement
 
 if TYPE_CHECKING:
     from deltacal_gen.execution import Told
@@ -67,7 +69,8 @@ def study(
     machine : str, optional
         Model of what machines are wrong in; default what the calibration frees.
     noise : float, optional
-        Standard deviation per coordinate [mm]; in motion that of a reading in its unit. Default the sidecar's.
+        Standard deviation of a reading in its unit: per coordinate mm, px or deg; in motion Nm, N or A. Default the
+        sidecar's. Rotations beside lengths have its `sigma_deg`, or what 100 mm from the point is such a shift.
     suspects : sequence of path
         TRUTH.toml files, each with the effects of one suspicion.
     diagnoses : int
@@ -81,6 +84,7 @@ def study(
     ------
     InputError
         The plan cannot be reached or carries too little; no noise is given; no scheduler answers at `cluster`.
+        Readings of joints, which see no source error, and nothing is suspected.
     """
     if (moving := in_motion(plan)) is not None:
         refuse_in_motion(model=model, machine=machine)
@@ -125,18 +129,26 @@ def _of_poses(
     for name in (model, machine):
         robot = robot if name is None else for_model(robot, name)
     poses = as_recording(plan, robot, need_measured=False, allow_targets=True)
-    sigma = noise if noise is not None else poses.measurement.sigma_mm
-    if sigma is None:
+    mechanism, kind = mechanism_of(robot), kind_of(poses.kind)
+    unit = kind.unit_in(poses.columns)
+    said = poses.measurement if noise is None else Measurement().with_noise(unit, noise)
+    if kind.sigma(said, 1.0) is None:
         raise InputError(
             "nothing says how well the instrument reads.",
-            "Add sigma_mm to the sidecar, or --noise MM.",
+            f"Add sigma_{unit} to the sidecar, or --noise.",
             file=poses.path,
         )
-    mechanism = mechanism_of(robot)
+    if kind.sees_joints and not suspects:
+        raise InputError(
+            "these readings see no source error: of such a plan can only be said what a diagnosis would find.",
+            "Give --suspect TRUTH.toml.",
+            file=poses.path,
+        )
     concealed = tuple(simulation.read_truth(file, robot).terms for file in suspects)
-    made = machines.Study(
-        robot, poses, (), (), sigma, (poses.measurement.sigma_deg or 0.0) * DEG, suspects=concealed, seed=seed
-    )
+    made = machines.Study(robot, poses, (), (), 0.0, 0.0, suspects=concealed, seed=seed)
+    sigma = kind.sigma(said, made.instrument.scale) or 0.0
+    turns = (poses.measurement.sigma_rad or sigma / TURN_MM) if kind.rotations else 0.0
+    made = dataclasses.replace(made, sigma=sigma, turn_sigma=turns)
     chosen = chosen_model(mechanism, made.problem, poses, model)
     names = mechanism.model(chosen)
     wrong = names if machine is None else mechanism.model(machine)

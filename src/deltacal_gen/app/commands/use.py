@@ -172,7 +172,8 @@ def feed_forward(
     result : path or mapping
         RESULT.json or DIAGNOSIS.json of a recording in motion: with the friction that was found.
     trajectory : path
-        A CSV with ``time_s`` and joints, or ``x_mm, y_mm, z_mm`` in {O}; ``run`` and ``payload_kg`` where they vary.
+        A CSV with ``time_s`` and joints, or ``x_mm, y_mm, z_mm`` in {O}, with ``rx_deg, ry_deg, rz_deg`` where these
+        are commanded too; ``run`` and ``payload_kg`` where they vary.
     output : path
         COMMANDS.csv: joints, velocities, accelerations, torques in the unit of the result's readings.
     tell : callable

@@ -106,7 +106,7 @@ class BoardImage(Kind):
         What the readings know less well than ten ordinary sizes of it stays where it is.
         """
         said, setups = recording.measurement, int(recording.setup.max()) + 1
-        rides = said.camera is None or said.camera.place == "platform"
+        rides = _rides(said)
         states = np.zeros((setups, self.state_size))
         for s in range(setups):
             chosen = np.flatnonzero(found.setup == s)
@@ -145,7 +145,7 @@ class BoardImage(Kind):
     ) -> Instrument:
         """Return a camera that looks at the middle of a board, mounted as cameras are, its lens as the sidecar says."""
         said = recording.measurement
-        rides = said.camera is None or said.camera.place == "platform"
+        rides = _rides(said)
         known = np.column_stack([recording.channels[name] for name in self.known])
         middle = (known.max(axis=0) + known.min(axis=0)) / 2
         chain = mechanism_of(robot).many_ways
@@ -166,10 +166,10 @@ class BoardImage(Kind):
         return "images of a printed board; camera and board, and what of the lens is not known, are projected out"
 
     def laid_out(self, recording: Recording, x: Array, mechanism: Machine) -> Recording:
-        """Return a row for each point of a print that a camera on the platform sees, its lens and place unknown."""
-        printed = board.printed(x, mechanism.many_ways)
-        lens = _lens(None)
-        state = board.mounted(x, printed.mean(axis=0), float(np.ptp(printed)), lens, True, mechanism.many_ways)
+        """Return a row for each point of a print that the camera sees, on the platform or beside it."""
+        said, chain = recording.measurement, mechanism.many_ways
+        printed = board.printed(x, chain, _rides(said))
+        state = board.mounted(x, printed.mean(axis=0), float(np.ptp(printed)), _lens(said.camera), _rides(said), chain)
         rows, points = board.shown(state, x, printed)
         channels = {name: values[rows] for name, values in recording.channels.items()}
         channels |= dict(zip(self.known, printed[points].T, strict=True))
@@ -197,7 +197,12 @@ class BoardImage(Kind):
         return np.concatenate([np.eye(3).ravel(), np.zeros(3), np.eye(3).ravel(), middle, [0.0], lens, [float(rides)]])
 
     def imagined(self, x: Array, sets: int, mechanism: Machine, said: Measurement) -> tuple[Readings, Instrument]:
-        """Return four points of a board at the poses that see it well; the camera looks along z of the platform."""
+        """Return four points of a board at the poses that see it well; the camera looks along z of the platform.
+
+        A fixed one looks at the print that a plan for it has.
+        """
+        if not _rides(said):
+            return self._imagined_fixed(x, mechanism, said)
         along = x[:, 3:].reshape(-1, 3, 3)[:, :, 2]
         middle = along.mean(axis=0) / np.linalg.norm(along.mean(axis=0))
         far = 2.0 * float(np.ptp(x[:, :3], axis=0).max()) + NEAR
@@ -212,8 +217,29 @@ class BoardImage(Kind):
         state[LENS] = np.where(np.isnan(lens), state[LENS], lens)
         found = self.taken(np.repeat(rows, len(corners))[:, None])
         found = dataclasses.replace(found, known=np.tile(corners, (len(rows), 1)), group=np.repeat(rows, len(corners)))
-        free = self.wanted(said) if mechanism.turning else tuple(u for u in self.wanted(said) if u not in PLACE)
-        return found, Instrument(self, state[None], free, far / state[LENS][0])
+        return found, Instrument(self, state[None], self._free(mechanism, said), far / state[LENS][0])
+
+    def _free(self, mechanism: Machine, said: Measurement) -> tuple[int, ...]:
+        """Return what is unknown; on a platform that does not turn the camera's place is told by the board's."""
+        wanted = self.wanted(said)
+        return wanted if mechanism.turning else tuple(u for u in wanted if u not in PLACE)
+
+    def _imagined_fixed(self, x: Array, mechanism: Machine, said: Measurement) -> tuple[Readings, Instrument]:
+        """Return the corners of a print on the platform as a camera before it sees them, one of them cut off."""
+        chain = mechanism.many_ways
+        printed = board.printed(x, chain, rides=False)
+        width, height = printed.max(axis=0)
+        corners = np.array([[0.0, 0.0], [width, 0.0], [width, height], [0.0, 0.9 * height]])
+        state = board.mounted(x, printed.mean(axis=0), float(np.ptp(printed)), _lens(said.camera), False, chain)
+        rows, points = board.shown(state, x, corners)
+        found = dataclasses.replace(self.taken(rows[:, None]), known=corners[points], group=rows)
+        instrument = Instrument(self, state[None], self._free(mechanism, said))
+        return found, dataclasses.replace(instrument, scale=self._scale(instrument, found, x))
+
+
+def _rides(said: Measurement) -> bool:
+    """Tell whether the camera sits on the platform."""
+    return said.camera is None or said.camera.place == "platform"
 
 
 def _lens(camera: Camera | None) -> Array:

@@ -50,6 +50,13 @@ def places(components: Sequence[int]) -> list[int]:
     return [c for c in components if c < 3]
 
 
+def _line(P: Array) -> Array:
+    """Return the direction (3,) along which points (N, 3) spread most, as they go on."""
+    away = P - P.mean(axis=0)
+    line: Array = np.linalg.svd(away, full_matrices=False)[2][0]
+    return line * np.sign(line[np.argmax(np.abs(line))])
+
+
 def frame_of(line: Array, k: int) -> Array:
     """Return a rotation (3, 3) whose axis k lies along a line (3,)."""
     size = np.linalg.norm(line)
@@ -188,7 +195,10 @@ class Position(Kind):
     def drawn(
         self, recording: Recording, robot: Robot, x: Array, frame: Frame | None, rng: np.random.Generator | None
     ) -> Instrument:
-        """Return the instrument in the robot's frame, in the one given, or in one drawn at random."""
+        """Return the instrument in the robot's frame, in the one given, or in one drawn at random.
+
+        What reads one coordinate alone is laid along the line on which the machine moves.
+        """
         setups = int(recording.setup.max()) + 1
         turn, origin = np.tile(np.eye(3), (setups, 1, 1)), np.zeros((setups, 3))
         if frame is not None:
@@ -196,6 +206,8 @@ class Position(Kind):
         elif recording.measurement.frame == "unknown" and rng is not None:
             vectors, origin = drawn_frames(recording, setups, rng)
             turn = from_vector(vectors)
+            if len(read := places(recording.components)) == 1:
+                turn = np.array([frame_of(_line(x[recording.setup == s, :3]), read[0]) for s in range(setups)])
         home = home_of(recording, robot)
         if any(home):
             origin[:] = 0.0
