@@ -116,6 +116,7 @@ BARE = {  # numbers without a unit: counts, parts of a whole, figures of statist
         "of_joints_by_joint",
         "of_geometry_by_joint",
         "removed",
+        "consistent_off",
         "at_rest",
         "at_rest_below",
     ),

@@ -9,8 +9,8 @@ import numpy as np
 from scipy.stats import chi2
 
 from deltacal_gen.machine.values import Robot
-from deltacal_gen.motion.bodies import Found, searched
-from deltacal_gen.motion.identification import RIGID, base_parameters
+from deltacal_gen.motion.bodies import Found, beside, searched
+from deltacal_gen.motion.identification import RIGID, bodies_told
 from deltacal_gen.motion.joint import Fit, fitted
 from deltacal_gen.motion.ladder import BUYS, LookedAt
 from deltacal_gen.motion.lag import LATENCY
@@ -84,7 +84,7 @@ def diagnose(robot: Robot, given: Trajectories, progress: Progress) -> MotionDia
     final = session.left(found)
     return MotionDiagnosis(
         **session.answered(found),
-        parameters=tuple(base_parameters(free.rigid, whole.free)),
+        **bodies_told(free.rigid, beside(free, found) if laws else whole.free),
         traces=traces(session, plain, found),
         verdict=verdict,
         summary=_summary(effects, laws, open_, session, found),

@@ -179,6 +179,14 @@ class Trace(Value):
     error_after: Column
 
 
+class Consistent(Value):
+    """An inertial parameter of bodies that could be built: positive masses, positive definite inertias; as it is."""
+
+    name: str
+    value: float
+    unit: str
+
+
 class MotionModel(Answer):
     """What results and diagnoses of recordings in motion have in common."""
 
@@ -195,6 +203,19 @@ class MotionModel(Answer):
     robot: RobotTables
     parameters: tuple[InertialParameter, ...]
     """Base parameters of the rigid machine, beside all that was found."""
+    rank: int
+    """How many base parameters there are."""
+    rank_tolerance: float
+    singular_values: Numbers
+    """Of the columns of the base parameters, each of size 1, over all readings by their noise."""
+    condition: float | None
+    scaling: str
+    unidentifiable: tuple[OpenCombination, ...]
+    """What no torque knows: parameters, and combinations that leave every torque as it is."""
+    consistent: tuple[Consistent, ...] | None = None
+    """Bodies that could be built; absent where what the drives give per torque is unknown."""
+    consistent_off: float | None = None
+    """By how much base parameters of these bodies are off those that were found: rms, in standard deviations."""
     traces: tuple[Trace, ...]
     gross_errors: tuple[int, ...]
     """Lines of the recording in which something was put right or left out: `motion.repairs` says what."""
@@ -206,30 +227,14 @@ class MotionModel(Answer):
         return False
 
 
-class Consistent(Value):
-    """An inertial parameter of bodies that could be built: positive masses, positive definite inertias; as it is."""
-
-    name: str
-    value: float
-    unit: str
-
-
 class MotionResult(MotionModel):
     """The rigid machine in motion: contract, second part, section 8."""
 
     schema: Literal["deltacal.result/1"] = "deltacal.result/1"
     model: str
-    rank: int
-    rank_tolerance: float
-    singular_values: Numbers
-    """Of the columns of the base parameters, each of size 1, over all readings by their noise."""
-    condition: float | None
-    scaling: str
-    unidentifiable: tuple[OpenCombination, ...]
     next_measurements: tuple[NextMeasurement, ...]
     regularisation: Regularisation
     readings: Read
-    consistent: tuple[Consistent, ...] | None = None
     noise: MotionNoise
     final: Left
     train_rms_Nm: float | None = None
@@ -246,6 +251,8 @@ class MotionResult(MotionModel):
     sigma_1: float | None = None
     sigma_source: Source
     chi2_per_dof: float | None
+    friction: str | None = None
+    """What friction, which is no part of the model, does to its parameters: where there is some."""
     doubts: tuple[str, ...] | None = None
     """Why the readings may not be of this machine."""
 
@@ -253,7 +260,8 @@ class MotionResult(MotionModel):
     def headline(self) -> str:
         """What the rigid machine leaves."""
         left = f"{self.model}: {self.rank} base parameters; held-out rms {by_joint(self.final)}"
-        return "; ".join([left, *(f"warning: {words}" for words in self.doubts or ())])
+        said = [*([self.friction] if self.friction else []), *(f"warning: {words}" for words in self.doubts or ())]
+        return "; ".join([left, *said])
 
     def table(self) -> tuple[InertialParameter, ...]:
         """Return the base parameters."""
