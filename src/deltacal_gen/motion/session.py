@@ -13,6 +13,7 @@ from deltacal_gen.errors import InputError
 from deltacal_gen.files.robot import kept_robot
 from deltacal_gen.machine.dynamics import torque_by_errors
 from deltacal_gen.machine.values import Robot
+from deltacal_gen.motion.bands import uncertainty_of
 from deltacal_gen.motion.derivatives import Motion, motion
 from deltacal_gen.motion.joint import Fit, Joint, series_of
 from deltacal_gen.motion.payload import PayloadError, torque_of
@@ -279,6 +280,7 @@ class Session:
             terms=tuple(terms),
             at_rest_below=fit.joint.threshold,
             delay=None if fit.lag is None else fit.lag.delay,
+            uncertainty=uncertainty_of(fit),
         )
 
 

@@ -87,6 +87,20 @@ class TorqueTerm(Value):
     values: tuple[float, ...]
 
 
+class JointUncertainty(Value):
+    """How surely the reading of a joint is known: what bands are made of, in internal units."""
+
+    factor: Numbers
+    """Lower triangle, row by row, of L with covariance L L': of `coefficients`, `payload`, the values of `terms`, and
+    the logarithms of the sizes in them."""
+    scatter: float
+    """By which single readings of runs that took no part depart beside it, noise and what the model leaves out."""
+    degrees: float
+    """Of freedom, on which this rests: samples that hang together count as one."""
+    delay_std: float | None = None
+    """Of `delay` [s]."""
+
+
 class JointModel(Value):
     """What predicts the reading of a joint, in internal units."""
 
@@ -101,6 +115,7 @@ class JointModel(Value):
     """Speed [rad/s or mm/s]."""
     delay: float | None = None
     """By which readings come late [s]."""
+    uncertainty: JointUncertainty | None = None
 
 
 class PayloadState(Value):
