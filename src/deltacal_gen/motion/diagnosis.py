@@ -403,7 +403,8 @@ def _next(session: Session, effects: Sequence[TorqueEffect], fits: Sequence[Fit]
     for effect in effects:
         if effect.indistinguishable_from:
             names = (effect.name, *effect.indistinguishable_from)
-            varied = dict.fromkeys(VARIED.get(state, state) for name in names for state in load_effect(name).STATE)
+            states = tuple(dict.fromkeys(state for name in names for state in load_effect(name).STATE))
+            varied = dict.fromkeys(VARIED.get(state, state) for state in states)
             joints = ", ".join(map(str, effect.limbs))
             found.append(
                 NextMeasurement(
@@ -412,6 +413,7 @@ def _next(session: Session, effects: Sequence[TorqueEffect], fits: Sequence[Fit]
                     poses=(),
                     expected_chi2=None,
                     separates=names,
+                    run=states,
                 )
             )
     return (*found, *still_to_move(session, fits))

@@ -309,7 +309,8 @@ def still_to_move(session: Session, fits: Sequence[Fit]) -> tuple[NextMeasuremen
     found = []
     if still:
         text = f"Move joint {still}, both ways and at several speeds, in runs of ten seconds at least."
-        found.append(NextMeasurement(why="joints stood still", text=text, poses=(), expected_chi2=None))
+        why = "joints stood still"
+        found.append(NextMeasurement(why=why, text=text, poses=(), expected_chi2=None, run=("q", "qd")))
     if silent:
         text = f"Record what the drive of joint {silent} gives, if it has one: it moves, and its reading never changes."
         found.append(NextMeasurement(why="readings never change", text=text, poses=(), expected_chi2=None))
