@@ -35,6 +35,7 @@ bench: .venv/dev .venv/bench  ## every work beside NumPy, Numba by hand, CasADi 
 	$(BIN)/python -m tests.benchmarks
 	$(BIN)/python -m tests.benchmarks.scaling
 	$(BIN)/python -m tests.benchmarks.memory --rows 200000
+	$(BIN)/python -m tests.benchmarks.motion
 
 proof: .venv/proof  ## conceal effects, diagnose blind, grade: a table and a page in proof/
 	$(BIN)/python -m tests.proof -o proof
