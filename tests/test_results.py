@@ -24,7 +24,7 @@ from deltacal_gen.results.result import Remedy, Result
 from deltacal_gen.results.shown import rounded
 
 DELTA, GEARBOX = example("delta"), example("gearbox")
-UNITS = ("_mm", "_deg", "_Nm", "_N", "_A", "_1", "_Hz", "_s")
+UNITS = ("_mm", "_deg", "_Nm", "_N", "_A", "_1", "_Hz", "_s", "_kg")
 BARE = {  # numbers without a unit: counts, parts of a whole, figures of statistics, what `unit` beside them tells
     *(
         "rho",
@@ -127,6 +127,7 @@ BARE = {  # numbers without a unit: counts, parts of a whole, figures of statist
         "heldout_gain",
         "error",
         "delay",
+        "delay_std",
         "inertial",
         "mass",
         "centre",

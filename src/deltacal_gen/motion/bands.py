@@ -2,7 +2,8 @@
 
 What a fit knows of bodies and friction is one covariance, samples that hang together counted as one. What readings of
 runs that took no part depart by beside it, noise and what the model leaves out, comes on top, as large as makes the
-bands hold 95 % of just these readings, whatever their distribution.
+bands hold 95 % of just these readings, whatever their distribution. Bodies that the robot file states, and a payload
+that was found beside them, count as known.
 """
 
 from __future__ import annotations
