@@ -35,10 +35,11 @@ bench: .venv/dev .venv/bench  ## every work beside NumPy, Numba by hand, CasADi 
 	$(BIN)/python -m tests.benchmarks
 	$(BIN)/python -m tests.benchmarks.scaling
 	$(BIN)/python -m tests.benchmarks.memory --rows 200000
+	$(BIN)/python -m tests.benchmarks.motion
 
 proof: .venv/proof  ## conceal effects, diagnose blind, grade: a table and a page in proof/
-	$(BIN)/python -m tests.proof -o proof
 	$(BIN)/python -m tests.benchmarks.motion_blind --count 20 --kept proof/motion.jsonl --files proof/motion
+	$(BIN)/python -m tests.proof -o proof
 
 measured: .venv/dev .venv/bench .venv/proof  ## write the manual's measured tables anew, on an idle machine
 	$(BIN)/python -m tests.benchmarks --measured

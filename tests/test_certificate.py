@@ -18,6 +18,7 @@ from deltacal_gen.files.recording import read_recording
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.pages.certificate import certificate as page_of
 from deltacal_gen.pages.dcc import dcc
+from deltacal_gen.physics.factors import quantile
 from deltacal_gen.use import bands
 from deltacal_gen.use.prediction import predict
 from tests.conftest import Run
@@ -95,7 +96,7 @@ def test_the_parts_of_the_budget_make_up_the_bands(result: dc.Result, other: Pat
     done = predict(known, recording)
     parts = bands.parts(known, recording, done, "delta/24")
     ends = bands.predicted_bands(known, recording, done)
-    half = (ends["x_hi_mm"] - ends["x_lo_mm"]) / 2 / bands.quantile(bands.known_of(known).degrees)
+    half = (ends["x_hi_mm"] - ends["x_lo_mm"]) / 2 / quantile(bands.known_of(known).degrees)
     assert np.sqrt(sum(part**2 for part in parts))[:, 0] == pytest.approx(half)
     assert (parts.left_out > 0).all()
     assert (parts.left_out > 3 * parts.identified).all()  # a model of 24 leaves out what turns the platform

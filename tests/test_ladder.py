@@ -219,7 +219,7 @@ def test_bodies_that_could_be_built_have_drives_that_could(session: Session) -> 
     links = tuple(link._replace(rotor_inertia=1e5) for link in session.robot.links)
     rigid = Session.of(dataclasses.replace(session.robot, links=links), session.given)
     fits = [fitted(each, [Rung("coulomb_friction"), Rung("viscous_friction")]) for each in rigid.moving]
-    found = {each.name: each.value for each in identification.consistent(rigid.rigid, fits)}
+    found = {each.name: each.value for each in identification.bodies_told(rigid.rigid, fits)["consistent"]}
     assert list(found) == list(rigid.rigid.names)
     assert all(found[f"rotor_{i}"] >= 0 for i in (1, 2, 3))
     made = rigid.rigid.common.made_up @ np.array(list(found.values()))

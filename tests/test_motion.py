@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 from itertools import count, pairwise
 from pathlib import Path
@@ -10,16 +11,19 @@ from typing import Any
 import numpy as np
 import pytest
 from jsonschema import Draft202012Validator
+from scipy.optimize import nnls
 
 import deltacal_gen as dc
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.machine.dynamics import dynamics_of
+from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.motion import joint, regression
 from deltacal_gen.motion.rigid import Rigid, base_of
 from deltacal_gen.pages import motion, report
 from deltacal_gen.results import published
 from deltacal_gen.results.reader import read_answer
 from tests.every_effect import ARM, LIFT
+from tests.machines_with_loops import REACH, machine
 from tests.motion_recordings import DEG, LINKS, NOISE, STEP, Friction, carried, named, robot, usual, written
 from tests.test_dynamics import bodies
 
@@ -299,6 +303,85 @@ def test_a_model_predicts_samples_it_has_not_seen(tmp_path: Path, diagnosed: Any
     assert 0 < np.isnan(known).sum() < 0.1 * known.size  # at rest, where the joints turn back
 
 
+def could_be_built(body: np.ndarray) -> bool:
+    """Tell whether masses from 0 on can have such a mass, first moments and inertias."""
+    m, x, y, z, xx, yy, zz, xy, xz, yz = body
+    second = (
+        np.array([[yy + zz - xx, -2 * xy, -2 * xz], [-2 * xy, xx + zz - yy, -2 * yz], [-2 * xz, -2 * yz, xx + yy - zz]])
+        / 2
+    )
+    pseudo = np.block([[second, np.array([[x], [y], [z]])], [np.array([[x, y, z, m]])]])
+    return bool(np.linalg.eigvalsh(pseudo).min() >= -1e-9 * np.abs(pseudo).max())
+
+
+def test_a_diagnosis_says_what_is_known_of_bodies_beside_the_friction(recorded: Path, diagnosed: Any) -> None:
+    rigid, inertia = Rigid(robot()), bodies(LINKS).ravel()
+    assert diagnosed["rank"] == len(diagnosed["parameters"]) == rigid.common.rank == 15
+    assert 1 < diagnosed["condition"] < 1000
+    assert [u["text"] for u in diagnosed["unidentifiable"]] == [u.text for u in rigid.unseen(rigid.common)]
+    built = np.array([c["value"] for c in diagnosed["consistent"]])
+    assert all(map(could_be_built, built.reshape(3, 10)))
+    std = np.array([p["std"] for p in diagnosed["parameters"]])
+    off = rigid.common.made_up @ (built - inertia)
+    assert np.sqrt(np.mean((off / std) ** 2)) < 3  # friction has not bent them
+    assert diagnosed["consistent_off"] < 1
+    alone = dc.identify(recorded.with_name("robot.toml"), recorded)
+    assert "friction (joint 1, 2, 3) is no part of the rigid machine" in alone["friction"]
+    assert "instead of" in alone.headline
+    built = np.array([c["value"] for c in alone["consistent"]])
+    assert np.sqrt(np.mean((rigid.common.made_up @ (built - inertia) / std) ** 2)) > 30  # of the rigid machine alone
+
+
+@pytest.mark.parametrize("name", list(REACH))
+def test_bodies_of_limbs_could_be_built(name: str) -> None:
+    """Masses from 0 on, inertias no smaller than those masses' first moments let them be."""
+    dynamics = dynamics_of(machine(name))
+    simplest = dynamics.buildable()
+    at = {n: k for k, n in enumerate(dynamics.names)}
+    made = np.random.default_rng(2).uniform(0, 1, (50, len(simplest))) ** 8 @ simplest
+    for body in (*made, *simplest):
+        assert (body[[k for n, k in at.items() if not n.startswith("mx_")]] >= 0).all()
+        for n, k in at.items():
+            if n.startswith("m_arm"):
+                first, second = body[at[f"mx{n[1:]}"]], body[at[f"i{n[1:]}"]]
+                assert first**2 <= body[k] * second * (1 + 1e-9)
+    stated = dynamics.stated(points=True)
+    weights, left = nnls((simplest / np.maximum(np.abs(stated), 1.0)).T, stated / np.maximum(np.abs(stated), 1.0))
+    assert (weights >= 0).all()
+    assert left < 1e-6  # what a file states can be made of them
+
+
+def test_a_machine_with_limbs_has_bodies_that_could_be_built(tmp_path: Path) -> None:
+    """A platform so light beside its rods that noise alone would have it weigh less than nothing."""
+    known = machine("linear_delta")
+    known = dataclasses.replace(known, errors={}, masses=known.masses.model_copy(update={"platform": 0.001}))
+    dynamics, rigid = dynamics_of(known), Rigid(known)
+    rows, step = [["run", "time_s", *(f"q{i}_mm" for i in (1, 2, 3)), *(f"tau{i}_N" for i in (1, 2, 3))]], 0.01
+    t = np.arange(0, 8, step)
+    mechanism, rng = mechanism_of(known), np.random.default_rng(0)
+    for run in range(3):
+        w = 2 * np.pi * np.array([0.3, 0.5, 0.9])
+        x = np.array(REACH["linear_delta"][0]) + 30 * np.sin(np.outer(t, w) + rng.uniform(0, 6, 3))
+        q, _, status = mechanism.inverse(x, known.tool, mechanism.rows(known))
+        assert not status.any()
+        states = np.stack([q, np.gradient(q, step, axis=0), np.gradient(np.gradient(q, step, axis=0), step, axis=0)])
+        tau = dynamics.torque(states, dynamics.stated()) + 2.0 * np.sign(states[1]) + 0.2 * rng.standard_normal(q.shape)
+        rows += [
+            [str(run), *(f"{v:.6f}" for v in (n * step, *(known.joint_sign * q[n]), *tau[n]))] for n in range(len(t))
+        ]
+    path = tmp_path / "recording.csv"
+    path.write_text("\n".join(map(",".join, rows)) + "\n")
+    path.with_suffix(".toml").write_text('[measurement]\nkind = "torque"\n')
+    found = dc.diagnose(known, path)
+    assert named(found) == {"coulomb_friction": [1, 2, 3]}
+    built = {c["name"]: c["value"] for c in found["consistent"]}
+    assert list(built) == list(rigid.names)
+    assert all(v >= 0 for v in built.values())
+    off = rigid.common.made_up @ (np.array(list(built.values())) - dynamics.stated())
+    std = np.array([p["std"] for p in found["parameters"]])
+    assert np.sqrt(np.mean((off / std) ** 2)) < 3
+
+
 def test_the_rigid_machine_has_base_parameters_and_a_consistent_body(tmp_path: Path) -> None:
     path = written(tmp_path, lambda states, load: 0 * load, seed=1)
     found = dc.identify(tmp_path / "robot.toml", path)
@@ -309,16 +392,8 @@ def test_the_rigid_machine_has_base_parameters_and_a_consistent_body(tmp_path: P
     for p, value in zip(found["parameters"], truth - stated, strict=True):
         assert abs(p["value"] - value) < 5 * p["std"], p
     body = np.array([c["value"] for c in found["consistent"]]).reshape(3, 10)
-    for m, x, y, z, xx, yy, zz, xy, xz, yz in body:
-        assert m >= 0
-        second = (
-            np.array(
-                [[yy + zz - xx, -2 * xy, -2 * xz], [-2 * xy, xx + zz - yy, -2 * yz], [-2 * xz, -2 * yz, xx + yy - zz]]
-            )
-            / 2
-        )
-        pseudo = np.block([[second, np.array([[x], [y], [z]])], [np.array([[x, y, z, m]])]])
-        assert np.linalg.eigvalsh(pseudo).min() >= -1e-9 * np.abs(pseudo).max()
+    assert all(map(could_be_built, body))
+    assert "friction" not in found
     near = rigid.common.made_up @ body.ravel()
     std = np.array([p["std"] for p in found["parameters"]])
     assert (np.abs(near - truth) < 8 * std + 1e-3 * np.abs(truth)).all()

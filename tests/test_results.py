@@ -24,7 +24,7 @@ from deltacal_gen.results.result import Remedy, Result
 from deltacal_gen.results.shown import rounded
 
 DELTA, GEARBOX = example("delta"), example("gearbox")
-UNITS = ("_mm", "_deg", "_Nm", "_N", "_A", "_1", "_Hz", "_s")
+UNITS = ("_mm", "_deg", "_Nm", "_N", "_A", "_1", "_Hz", "_s", "_kg")
 BARE = {  # numbers without a unit: counts, parts of a whole, figures of statistics, what `unit` beside them tells
     *(
         "harmonic_of",
@@ -117,6 +117,7 @@ BARE = {  # numbers without a unit: counts, parts of a whole, figures of statist
         "of_joints_by_joint",
         "of_geometry_by_joint",
         "removed",
+        "consistent_off",
         "at_rest",
         "at_rest_below",
     ),
@@ -127,6 +128,7 @@ BARE = {  # numbers without a unit: counts, parts of a whole, figures of statist
         "heldout_gain",
         "error",
         "delay",
+        "delay_std",
         "inertial",
         "mass",
         "centre",

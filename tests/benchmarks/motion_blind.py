@@ -24,6 +24,8 @@ from tests.benchmarks.motion_cases import FOREIGN, NOISE, RUNS, Case, Concealed,
 
 KINDS = ("0", "1", "1", "2", "3", *FOREIGN, "1")  # of ten cases in a row
 SURE = 3.0  # standard deviations
+GROUPS = {"nothing": ("0",), "one": ("1",), "two or three": ("2", "3"), "foreign": FOREIGN}
+HEADS = ("concealed", "cases", "right", "with a false name", "within 3 std", "to ideal", "CPU")
 
 
 def kind_of(seed: int) -> str:
@@ -102,20 +104,41 @@ def over_ideal(case: Case, found: dict[str, Any]) -> float:
     return float(np.sqrt(np.nanmean((left / noise) ** 2)) / ideal)
 
 
+def told(rows: Sequence[dict[str, Any]]) -> list[list[str]]:
+    """Return what came of all, in the order of `HEADS`, by what was concealed."""
+    found = []
+    for name, kinds in GROUPS.items():
+        if own := [r for r in rows if r["kind"] in kinds]:
+            off = np.array([abs(d[2]) for r in own for d in r["off"]])
+            found.append(
+                [
+                    name,
+                    str(len(own)),
+                    str(sum(r["right"] for r in own)),
+                    str(sum(bool(r["false"]) for r in own)),
+                    f"{np.sum(off < SURE)}/{len(off)}" if len(off) else "",
+                    f"{np.median([r['ratio'] for r in own]):.3f}",
+                    f"{np.median([r['cpu_s'] for r in own]):.1f} s",
+                ]
+            )
+    return found
+
+
 def table(rows: Sequence[dict[str, Any]]) -> str:
     """Return what came of all, in words."""
-    groups = {"nothing": ("0",), "one": ("1",), "two or three": ("2", "3"), "foreign": FOREIGN}
-    lines = []
-    for name, kinds in groups.items():
-        own = [r for r in rows if r["kind"] in kinds]
-        if own:
-            right, cpu = sum(r["right"] for r in own), np.median([r["cpu_s"] for r in own])
-            ratio = np.median([r["ratio"] for r in own])
-            lines.append(f"{name:13s} {right:3d} of {len(own):3d} right   over ideal {ratio:.3f}   {cpu:.1f} s of CPU")
+    lines = [
+        f"{name:13s} {right:>3s} of {count:>3s} right   over ideal {ratio}   {cpu} of CPU"
+        for name, count, right, _, _, ratio, cpu in told(rows)
+    ]
     off = np.array([abs(d[2]) for r in rows for d in r["off"]])
     false = sum(bool(r["false"]) for r in rows)
     lines.append(f"false names in {false} of {len(rows)}; within {SURE:g} std {np.sum(off < SURE)} of {len(off)}")
     return "\n".join(lines)
+
+
+def kept(path: Path) -> list[dict[str, Any]]:
+    """Return the cases that a file holds; none where there is no such file."""
+    return [json.loads(line) for line in path.read_text().splitlines()] if path.exists() else []
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -127,7 +150,7 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--kept", type=Path, default=Path("motion_blind.jsonl"))
     parser.add_argument("--files", type=Path, help="folder in which the cases stay")
     given = parser.parse_args(arguments)
-    rows = [json.loads(line) for line in given.kept.read_text().splitlines()] if given.kept.exists() else []
+    rows = kept(given.kept)
     done = {row["seed"] for row in rows}
     for seed in range(given.first, given.first + given.count):
         if seed in done:

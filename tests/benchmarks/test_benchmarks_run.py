@@ -42,11 +42,12 @@ def test_scaling_and_memory_are_measured(tmp_path: Path, capsys: pytest.CaptureF
 
 @pytest.mark.thorough
 def test_the_table_of_motion_is_printed(capsys: pytest.CaptureFixture[str]) -> None:
-    motion.main(["--samples", "64"])
+    motion.main(["--samples", "64", "--rows", "4000"])
     said = capsys.readouterr().out
     assert [line.split()[0] for line in said.splitlines()[1 : 1 + len(motion.REACH)]] == list(motion.REACH)
     assert "arm of six joints, ns a sample: own " in said
     assert "torque/forward" in said
+    assert re.search(r"diagnosing six joints, 4000 samples: \d+\.\d s of CPU, \d+ MiB", said)
 
 
 def test_the_table_of_compile_times_names_modules_that_exist() -> None:

@@ -3,7 +3,8 @@
 ``python -m tests.proof [generate | grade] [--cases N] [--engine own,exudyn] [--seed S] [--tool CMD] [--jobs 2] -o DIR``
 
 Without a step both are done, case by case; DIR then holds the cases, their truth, the answers, ``grades.json``,
-``table.md`` and ``proof.html``. README.md beside this file says how another tool takes the same test.
+``table.md`` and ``proof.html``; of cases in motion that ``tests.benchmarks.motion_blind`` kept in ``motion.jsonl``
+there, the page has the table. README.md beside this file says how another tool takes the same test.
 """
 
 from __future__ import annotations
@@ -26,6 +27,7 @@ from rich.progress import MofNCompleteColumn, Progress, TimeRemainingColumn
 
 from deltacal_gen.errors import NoSolutionError
 from deltacal_gen.machine.backend import Backend, using
+from tests.benchmarks import motion_blind
 from tests.benchmarks.concealed_cases import generate, plan
 from tests.benchmarks.concealed_grading import oracle
 from tests.proof import files, multibody, report
@@ -125,9 +127,10 @@ def main(arguments: list[str] | None = None) -> int:
     command = " ".join(["python -m tests.proof", *(sys.argv[1:] if arguments is None else arguments)])
     said = json.loads(run.read_text(encoding="utf-8")) | {"cases": len(found), "skipped": skipped, "command": command}
     (folder / "grades.json").write_text(json.dumps({"run": said, "cases": found}, indent=1) + "\n", encoding="utf-8")
+    moving = motion_blind.kept(folder / "motion.jsonl")
     text = report.markdown(found, said)
     (folder / "table.md").write_text(text, encoding="utf-8")
-    (folder / "proof.html").write_text(report.page(found, said), encoding="utf-8")
+    (folder / "proof.html").write_text(report.page(found, said, moving), encoding="utf-8")
     if given.measured:
         report.measured(found, said)
     print(text)

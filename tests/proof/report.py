@@ -10,6 +10,7 @@ import numpy as np
 
 from deltacal_gen.pages import report
 from deltacal_gen.pages.figures import AFTER, BEFORE, MUTED, STYLE, mpl, sheet
+from tests.benchmarks import motion_blind
 from tests.measured import PACKAGES, write
 
 Entry = Mapping[str, Any]
@@ -44,6 +45,12 @@ INTRODUCTION = (
 OTHERS = (
     " Half of the recordings were made by the project's own simulator, half by a multibody engine of others, in "
     "which bodies, joints, springs and weights find their equilibrium without a formula of this project."
+)
+IN_MOTION = (
+    "Torques of a six-joint arm and a six-rod Delta along trajectories, with friction, wrong payloads, ripple, delays "
+    "or what is none of them concealed, and diagnosed blind. Right: exactly the concealed effects at exactly their "
+    "joints; of foreign physics, unexplained or a law at the right joint. To ideal: held-out error over what a fit "
+    "that knows the effects leaves, median."
 )
 HOW = (
     "An effect is drawn such that geometry alone leaves 1.5 to 10 standard deviations of the noise; a case that "
@@ -177,8 +184,11 @@ code { font-size: 0.92em; overflow-wrap: anywhere; }
 """
 
 
-def page(found: Sequence[Entry], run: Mapping[str, Any]) -> str:
-    """Return the page: one self-contained HTML file without script, for light and dark screens."""
+def page(found: Sequence[Entry], run: Mapping[str, Any], moving: Sequence[dict[str, Any]] = ()) -> str:
+    """Return the page: one self-contained HTML file without script, for light and dark screens.
+
+    `moving` are the cases of `tests.benchmarks.motion_blind`, where they were run.
+    """
     parts = [
         f"<style>{_CSS}</style>",
         '<p class="verdict">the proof</p>',
@@ -193,11 +203,24 @@ def page(found: Sequence[Entry], run: Mapping[str, Any]) -> str:
         if rows:
             parts += [f"<h2>{_text(title)}</h2>", _table(heads, rows)]
     parts.append(f'<p class="note">{_text(LEGEND)}</p>')
-    lines = list(failures(found))
+    if moving:
+        parts += ["<h2>In motion</h2>", f'<p class="note">{_text(IN_MOTION)}</p>']
+        parts.append(_table(motion_blind.HEADS, motion_blind.told(moving), motion_blind.HEADS[1:]))
+    lines = [*failures(found), *_failed_in_motion(moving)]
     parts.append("<h2>What went wrong, case by case</h2>")
     parts.append(f"<ul>{''.join(f'<li>{_text(line)}</li>' for line in lines)}</ul>" if lines else "<p>Nothing.</p>")
     parts += ["<h2>How it was made</h2>", f"<p>{_text(_made(run))} {_text(HOW)}</p>"]
     return report.page("deltacal: the proof", parts)
+
+
+def _failed_in_motion(moving: Sequence[dict[str, Any]]) -> Iterator[str]:
+    """Yield a line for each case in motion whose answer is not right."""
+    for row in moving:
+        if not row["right"]:
+            truth = " + ".join(f"{name} of joint {joint}" for name, joint, _ in row["true"]) or "nothing"
+            said = {"missed": row["missed"], "false": row["false"], "unexplained": row["unexplained"]}
+            words = "; ".join(f"{key} {value}" for key, value in said.items() if value)
+            yield f"in motion {row['seed']} {row['machine']} ({row['engine']}) {truth}: {words or row['verdict']}"
 
 
 def _headline(found: Sequence[Entry]) -> str:
@@ -317,9 +340,9 @@ def _rates(axes: Any, effects: Sequence[Entry]) -> None:
     axes.set_ylabel("right answers, %")
 
 
-def _table(heads: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+def _table(heads: Sequence[str], rows: Sequence[Sequence[str]], numbers: Sequence[str] = HEADS) -> str:
     used = [j for j in range(len(heads)) if any(row[j] for row in rows)]
-    kind = ["n" if heads[j] in HEADS else "" for j in range(len(heads))]
+    kind = ["n" if heads[j] in numbers else "" for j in range(len(heads))]
     top = "".join(f'<th class="{kind[j]}">{_text(heads[j])}</th>' for j in used)
     body = "".join(
         "<tr>" + "".join(f'<td class="{kind[j]}">{_text(row[j])}</td>' for j in used) + "</tr>" for row in rows

@@ -382,7 +382,13 @@ def test_table_and_page_say_how_many_were_right(
     table = manual.measured("proof_concealed")
     assert table["rows"][0][:5] == ["one effect", "deltacal", "1", "1", "0"]
     assert (table["command"], table["note"]) == (run["command"], "2 cases, seed 1")
-    page = report.page(entries, run)
+    assert "In motion" not in report.page(entries, run)
+    moved = {"kind": "1", "machine": "arm", "engine": "mujoco", "verdict": "adequate", "ratio": 1.02, "cpu_s": 4.0}
+    blank: dict[str, Any] = {"missed": [], "false": [], "unexplained": [], "off": [["coulomb", 4.0, 1.2]]}
+    at_fault = {"seed": 7, "right": False, "true": [["load_friction", 3, {}]], "missed": [["load_friction", 3]]}
+    page = report.page(entries, run, [moved | blank | {"seed": 6, "right": True, "true": []}, moved | blank | at_fault])
+    assert '<tr><td class="">one</td><td class="n">2</td><td class="n">1</td><td class="n">0</td>' in page
+    assert "in motion 7 arm (mujoco) load_friction of joint 3: missed" in page
     assert page.count("<svg") >= 3
     assert "1 of 2 concealed effects named" in page
     assert "prefers-color-scheme" in page

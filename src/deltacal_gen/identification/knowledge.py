@@ -18,10 +18,10 @@ from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.system import system
 from deltacal_gen.identification.noise import Noise, freedom, lack_of_fit
 from deltacal_gen.machine.registry import Array
+from deltacal_gen.physics.factors import packed, unpacked
 from deltacal_gen.results.parts import Source, Uncertainty
 from deltacal_gen.units import file_unit
 
-DIGITS = 10  # of the factor that is kept
 ORDINARY_SPREAD = np.log(3.0)  # of the size of left-out errors about the ordinary one, before the readings
 SIZES = np.geomspace(0.03, 30.0, 40)  # of left-out errors that are tried
 NOISES = np.geomspace(1e-6, 2.0, 60)  # parts of the fit's own variance that are tried as noise
@@ -53,7 +53,7 @@ def uncertainty_of(final: Fit, known: Noise) -> Uncertainty:
     return Uncertainty(
         parameters=(*problem.names, *left.names),
         coefficients=sum(t.n_coefficients for t in problem.terms),
-        factor=_packed(C),
+        factor=packed(C),
         degrees=max(freedom(final), FEWEST),
         scatter=scatter,
         left_out=size,
@@ -63,10 +63,7 @@ def uncertainty_of(final: Fit, known: Noise) -> Uncertainty:
 
 def factor(known: Uncertainty) -> Array:
     """Return L (n, n) of the covariance L L' of parameters, coefficients and instrument's unknowns."""
-    n = int((np.sqrt(8 * len(known.factor) + 1) - 1) / 2 + 0.5)
-    out = np.zeros((n, n))
-    out[np.tril_indices(n)] = known.factor
-    return out
+    return unpacked(known.factor)
 
 
 def _per_reading(final: Fit, known: Noise) -> float:
@@ -177,14 +174,3 @@ def _sizes(
         for unit in sizes:
             sizes[unit] = min(SIZES.tolist(), key=lambda size: misfit(part, sizes | {unit: size}))
     return np.array([sizes[unit] for unit in left.units]), part
-
-
-def _packed(C: Array) -> Array:
-    """Return the lower triangle of a factor L with C = L L', row by row; sums of squares lose no digits of it."""
-    size = np.sqrt(np.maximum(np.diag(C), 0.0))
-    unit = np.where(size > 0, size, 1.0)
-    values, vectors = np.linalg.eigh(C / np.outer(unit, unit))
-    R: Array = np.asarray(np.linalg.qr((vectors * np.sqrt(np.maximum(values, 0.0))).T, mode="r"))
-    L = (R * np.where(np.diag(R) < 0, -1.0, 1.0)[:, None]).T * unit[:, None]
-    lower: Array = L[np.tril_indices(len(L))]
-    return np.array([float(f"{v:.{DIGITS - 1}e}") for v in lower.tolist()])

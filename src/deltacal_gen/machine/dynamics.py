@@ -30,6 +30,9 @@ ROTOR_UNIT = {"rad": TENSOR_UNIT, "mm": "kg"}
 PAYLOAD = "payload"  # of a platform: what is no body of the machine
 GRAVITY = (0.0, 0.0, -9.81)
 UNIFORM = 1.0 / 6.0  # of a uniform rod's mass, by Simpson's rule: at either end
+LATTICE = (-300.0, -100.0, -30.0, 0.0, 30.0, 100.0, 300.0)  # mm, along each axis: masses of a body that could be built
+ALONG = np.geomspace(3.0, 3000.0, 60)  # mm, either way along a body that turns about one axis: its masses
+OF_LINE = {"m": 0, "mx": 1, "i": 2}  # parameters of such a body, by the moment of its masses along it
 
 
 class Dynamics(ABC):
@@ -92,6 +95,14 @@ class Dynamics(ABC):
     @abstractmethod
     def numbers(self) -> dict[str, Array]:
         """What no motion changes, as the C source of a machine in motion reads it, by the names that this has."""
+
+    @abstractmethod
+    def buildable(self) -> Array:
+        """Return the inertial parameters (K, n) of machines with one small mass each, at many places.
+
+        Every sum of these with weights from 0 on could be built: masses are positive, inertias positive definite. What
+        could be built is such a sum, as closely as the places are.
+        """
 
     def of_points(self, places: Array) -> Array:
         """Return the inertial parameters (M, 10) of 1 kg at each of some places (M, 3) [mm] in a body's frame."""
@@ -164,6 +175,14 @@ class ChainDynamics(Dynamics):
         links = [self._of_link(link, points) for link in self._machine.links]
         return np.concatenate([*links, list(self._rotors.values())])
 
+    def buildable(self) -> Array:
+        """Return a kilogram at each place of a lattice in each link's frame, and a drive at each joint."""
+        points = self.of_points(np.array(np.meshgrid(*[LATTICE] * 3)).reshape(3, -1).T)
+        made = np.zeros((self.bodies * len(points) + len(self.rotors), len(self.names)))
+        made[: -len(self.rotors) or None, : self._of_bodies] = np.kron(np.eye(self.bodies), points)
+        made[len(made) - len(self.rotors) :, self._of_bodies :] = np.eye(len(self.rotors))
+        return made
+
     def _of_link(self, link: Link, points: bool) -> Array:
         if not link.mass:
             return np.full(len(self._kernels.INERTIA), 0.0 if link.kind == "fixed" else np.nan)
@@ -225,6 +244,24 @@ class LimbDynamics(Dynamics):
         found = self._kernels.stated(self._robot.geometry, masses, arm + masses["rotor_inertia"])
         limbs = [found[name] * np.ones(self.joints) for name, *_ in self._kernels.LIMB]
         return np.append(np.array(limbs).T.ravel(), [found[name] for name, *_ in self._platform])
+
+    def buildable(self) -> Array:
+        """Return a kilogram at each place along each body that turns, what lies across it, and each other mass."""
+        x, at = np.concatenate([-ALONG[::-1], [0.0], ALONG]), {name: n for n, name in enumerate(self.names)}
+        bodies: dict[str, dict[int, int]] = {}
+        for name in self.names:
+            moment, _, of = name.partition("_")
+            bodies.setdefault(of, {})[OF_LINE[moment]] = at[name]
+        rows = []
+        for moments in bodies.values():
+            turns = max(moments) > 0
+            made = np.zeros((len(x) + 1 if turns else 1, len(self.names)))
+            for power, n in moments.items():
+                made[: len(x), n] = x**power if turns else 1.0
+            if turns:
+                made[-1, moments[max(moments)]] = 1.0
+            rows.append(made)
+        return np.concatenate(rows)
 
     @cached_property
     def shares(self) -> Array:

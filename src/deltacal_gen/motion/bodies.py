@@ -53,7 +53,7 @@ def searched(session: Session, progress: Progress) -> Found:
         fits = _climbed(session, progress)
         return Found(session, fits, fits)
     fits = _climbed(known, progress)
-    free = _beside(session, fits)
+    free = beside(session, fits)
     if _as_good(fits, free):
         return Found(known, fits, free)
     usual = [fitted(joint, [Rung(name) for name in USUAL]) for joint in known.moving]
@@ -71,9 +71,9 @@ def _carrying(session: Session, known: Session, payload: PayloadError | None, pr
         if payload is None or carrying is None:
             return None
         fits = _climbed(carrying, progress)
-        without = _beside(known, fits)
+        without = beside(known, fits)
         used, payload = payload, known.payload_by(without)
-    free = _beside(session, fits)
+    free = beside(session, fits)
     if payload is None or carrying is None or not _as_good(fits, free):
         return None
     bought = tuple(1.0 - _rms(after) / _rms(before) for after, before in zip(_again(fits), without, strict=True))
@@ -90,7 +90,7 @@ def _climbed(session: Session, progress: Progress) -> list[Fit]:
     return found
 
 
-def _beside(session: Session, fits: Sequence[Fit]) -> list[Fit]:
+def beside(session: Session, fits: Sequence[Fit]) -> list[Fit]:
     """Return the fits of the same rungs beside the bodies of another session."""
     joints = {joint.number: joint for joint in session.joints}
     return [fitted(joints[fit.joint.number].series.at(fit.joint.delay), fit.rungs) for fit in fits]

@@ -9,9 +9,9 @@ import numpy as np
 from scipy.stats import chi2
 
 from deltacal_gen.machine.values import Robot
-from deltacal_gen.motion.bodies import Found, searched
+from deltacal_gen.motion.bodies import Found, beside, searched
 from deltacal_gen.motion.fit import Fit, fitted
-from deltacal_gen.motion.identification import RIGID, base_parameters
+from deltacal_gen.motion.identification import RIGID, bodies_told
 from deltacal_gen.motion.ladder import BUYS, LookedAt
 from deltacal_gen.motion.lag import LATENCY
 from deltacal_gen.motion.laws import Lawful, lawful
@@ -76,7 +76,7 @@ def diagnose(robot: Robot, given: Trajectories, progress: Progress) -> MotionDia
     final = session.left(found)
     return MotionDiagnosis(
         **session.answered(found),
-        parameters=tuple(base_parameters(free.rigid, whole.free)),
+        **bodies_told(free.rigid, beside(free, found) if laws else whole.free),
         traces=traces(session, plain, found),
         verdict=verdict,
         summary=_summary(effects, laws, open_, session, found),
@@ -395,7 +395,8 @@ def _next(session: Session, effects: Sequence[TorqueEffect], fits: Sequence[Fit]
     for effect in effects:
         if effect.indistinguishable_from:
             names = (effect.name, *effect.indistinguishable_from)
-            varied = dict.fromkeys(s.varied or s.name for name in names for s in read_by(load_effect(name)))
+            states = tuple(dict.fromkeys(s for name in names for s in read_by(load_effect(name))))
+            varied = dict.fromkeys(s.varied or s.name for s in states)
             joints = ", ".join(map(str, effect.limbs))
             found.append(
                 NextMeasurement(
@@ -404,6 +405,7 @@ def _next(session: Session, effects: Sequence[TorqueEffect], fits: Sequence[Fit]
                     poses=(),
                     expected_chi2=None,
                     separates=names,
+                    run=tuple(s.name for s in states),
                 )
             )
     return (*found, *still_to_move(session, fits))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -67,6 +67,8 @@ class Fit:
         By how much readings come late, where they do.
     size_std : tuple of float
         Standard deviation of the logarithm of each size, in the order of the rungs that have one.
+    covariance : (p, p) array
+        Of the coefficients, then of these logarithms.
     """
 
     joint: Joint
@@ -84,6 +86,7 @@ class Fit:
     first: LookedAt | None = None
     lag: Lag | None = None
     size_std: tuple[float, ...] = ()
+    covariance: Array = field(default_factory=lambda: np.zeros((0, 0)), repr=False)
 
     @property
     def takes_away(self) -> float:
@@ -124,7 +127,8 @@ def fitted(joint: Joint, some: Sequence[Rung], held_out: Array | None = None) ->
     count = joint.correlated(left)
     free = max(1.0, len(left) / count - len(each))
     variance = float(left @ left) / count / free
-    std = np.sqrt(np.maximum(np.diag(bench.covariance(each)), 0.0) * variance * count) / bench.scale
+    covariance = bench.covariance(each) * variance * count / np.outer(bench.scale, bench.scale)
+    std = np.sqrt(np.maximum(np.diag(covariance), 0.0))
     if held_out is None:
         held_out = np.full(len(left), np.nan)
         for fold in bench.folds:
@@ -133,7 +137,9 @@ def fitted(joint: Joint, some: Sequence[Rung], held_out: Array | None = None) ->
             held_out[own] = joint.y[own] - X[own] @ apart
     rigid = joint.X.shape[1]
     load = np.asarray(joint.X @ found[:rigid] + joint.carried)
-    return Fit(joint, tuple(some), found, std[every], load, left, held_out, count, size_std=tuple(std[len(found) :]))
+    sized = tuple(std[len(found) :])
+    fit = Fit(joint, tuple(some), found, std[every], load, left, held_out, count, size_std=sized)
+    return dataclasses.replace(fit, covariance=covariance)
 
 
 def _by_own_load(joint: Joint, some: Sequence[Rung], load: Array, folds: Sequence[int] | None) -> tuple[Array, Array]:

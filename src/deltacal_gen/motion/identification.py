@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from scipy.optimize import nnls
@@ -11,6 +11,9 @@ from scipy.optimize import nnls
 from deltacal_gen.errors import UsageError
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.fit import Fit, fitted
+from deltacal_gen.motion.joint import USUAL
+from deltacal_gen.motion.ladder import BUYS
+from deltacal_gen.motion.library import Rung
 from deltacal_gen.motion.rigid import Rigid
 from deltacal_gen.motion.session import Session, still_to_move
 from deltacal_gen.motion.traces import traces
@@ -25,7 +28,7 @@ RIGID = "rigid"  # name of the model, behind that of the mechanism
 RANK = 1e-9  # of the largest singular value: a smaller one is none
 SURE = 3.0  # standard deviations from zero of a parameter that is told as identified
 NEXT_TO_NOTHING = 0.8  # of the readings' rms: so much is left where bodies are fitted to readings of other rows
-LATTICE = (-300.0, -100.0, -30.0, 0.0, 30.0, 100.0, 300.0)  # mm: where the masses of a body that could be built may sit
+TAKEN_UP = 1.0  # standard deviation of a parameter: what friction must change of one, to be told
 
 
 def identify(robot: Robot, given: Trajectories, model: str | None = None) -> MotionResult:
@@ -44,33 +47,66 @@ def identify(robot: Robot, given: Trajectories, model: str | None = None) -> Mot
     session = Session.of(robot, given)
     fits = [fitted(joint, []) for joint in session.moving]
     final, noise = session.left(fits, name), session.noise(fits)
-    rigid = session.rigid
-    torques, parameters = reads_torques(fits), base_parameters(rigid, fits)
-    values = _singular(rigid, fits) if torques else np.concatenate([_singular_of(fit) for fit in fits])
-    full = values[-1] > RANK * values[0]
     figures = {key: value for key, value in final.written() if key.startswith(("train_rms_", "heldout_rms_"))}
     sigmas = {key: value for key, value in noise.written() if key.startswith("sigma_")}
     return MotionResult(
         **session.answered(fits),
+        **bodies_told(session.rigid, fits),
         model=name,
-        parameters=tuple(parameters),
         traces=traces(session, fits, fits),
-        rank=len(parameters),
-        rank_tolerance=RANK,
-        singular_values=values,
-        condition=float(values[0] / values[-1]) if full else None,
-        scaling="each column of size 1, over all readings by their noise",
-        unidentifiable=tuple(rigid.unseen(rigid.common)),
         next_measurements=still_to_move(session, fits),
         regularisation=Regularisation(rule="base parameters are shrunk by what predicts held-out samples best"),
         readings=Read(kind=given.kind, scalars=sum(len(fit.left) for fit in fits), poses=given.n_rows),
-        consistent=consistent(rigid, fits) if torques and rigid.dynamics.bodies else None,
         noise=noise,
         final=final,
         **{key: value for key, value in (figures | sigmas).items() if "_by_joint" not in key},
         sigma_source=noise.source,
         chi2_per_dof=final.chi2_per_dof,
+        friction=_of_friction(session, fits),
         doubts=tuple(_doubts(fits)) or None,
+    )
+
+
+def bodies_told(rigid: Rigid, fits: Sequence[Fit]) -> dict[str, Any]:
+    """Return the fields of an answer that say what is known of bodies, beside what effects the fits have."""
+    torques, parameters = reads_torques(fits), base_parameters(rigid, fits)
+    each = [_singular(rigid, fits)] if torques else [_singular_of(fit) for fit in fits]
+    full = all(len(values) and values[-1] > RANK * values[0] for values in each)
+    bodies, off = _consistent(rigid, fits) if torques else (None, None)
+    return {
+        "parameters": tuple(parameters),
+        "rank": len(parameters),
+        "rank_tolerance": RANK,
+        "singular_values": np.concatenate(each),
+        "condition": max(float(values[0] / values[-1]) for values in each) if full else None,
+        "scaling": "each column of size 1, over all readings by their noise",
+        "unidentifiable": tuple(rigid.unseen(rigid.common)),
+        "consistent": bodies,
+        "consistent_off": off,
+    }
+
+
+def _of_friction(session: Session, fits: Sequence[Fit]) -> str | None:
+    """Return in words what usual friction would change of a rigid machine's parameters; None where there is none."""
+    beside = [fitted(fit.joint, [Rung(name) for name in USUAL]) for fit in fits]
+    rubbed = [
+        str(fit.joint.number)
+        for fit, other in zip(fits, beside, strict=True)
+        if np.nanmean(other.held_out**2) < (1.0 - BUYS) ** 2 * np.nanmean(fit.held_out**2)
+    ]
+    if not rubbed:
+        return None
+    each = zip(base_parameters(session.rigid, fits), base_parameters(session.rigid, beside), strict=True)
+    moved = [(abs(a.value - b.value) / a.std, a, b) for a, b in each if a.std]
+    told = f"friction (joint {', '.join(rubbed)}) is no part of the rigid machine"
+    off, own, other = max(moved, key=lambda pair: pair[0], default=(0.0, None, None))
+    if own is None or other is None or off < TAKEN_UP:
+        return told
+    of = "" if own.limb is None else f" of joint {own.limb}"
+    return (
+        f"{told}, whose parameters take some of it up: beside dry and viscous friction and an offset {own.name}{of} is "
+        f"{other.value:.4g} instead of {own.value:.4g} {own.unit}, {off:.1f} of its standard deviations away; diagnose "
+        "gives all of them beside what it finds"
     )
 
 
@@ -112,8 +148,9 @@ def _singular(rigid: Rigid, fits: Sequence[Fit]) -> Array:
 
 def _singular_of(fit: Fit) -> Array:
     """Return the singular values of one joint's columns, each of size 1."""
-    size = np.linalg.norm(fit.joint.X, axis=0)
-    return np.asarray(np.linalg.svd(fit.joint.X / np.where(size > 0, size, 1.0), compute_uv=False))
+    X = _beside_effects(fit, fit.joint.X)
+    size = np.linalg.norm(X, axis=0)
+    return np.asarray(np.linalg.svd(X / np.where(size > 0, size, 1.0), compute_uv=False))
 
 
 def _normal(rigid: Rigid, fits: Sequence[Fit]) -> tuple[Array, Array]:
@@ -125,12 +162,18 @@ def _normal(rigid: Rigid, fits: Sequence[Fit]) -> tuple[Array, Array]:
         weight = 1.0 / (fit.sigma**2 * fit.together)
         X = fit.joint.X @ own.made_up[:, rigid.common.chosen]
         y = fit.left + fit.load - fit.joint.carried  # what effects gave is not the rigid machine's
-        if fit.rungs:  # nor is it known any better than it was found: what may be either's tells of neither
-            F = fit.joint.columns(fit.rungs, fit.load)[:, fit.joint.X.shape[1] :]
-            X = X - F @ np.linalg.lstsq(F, X, rcond=RANK)[0]
+        X = _beside_effects(fit, X)
         G += weight * X.T @ X
         g += weight * X.T @ y
     return G, g
+
+
+def _beside_effects(fit: Fit, X: Array) -> Array:
+    """Return columns (M, r) without what a fit's effects do as well: what may be either's tells of neither."""
+    if not fit.rungs:
+        return X
+    F = fit.joint.columns(fit.rungs, fit.load)[:, fit.joint.X.shape[1] :]
+    return np.asarray(X - F @ np.linalg.lstsq(F, X, rcond=RANK)[0])
 
 
 def _common(rigid: Rigid, fits: Sequence[Fit]) -> list[InertialParameter]:
@@ -174,11 +217,11 @@ def _parameter(name: str, text: str, value: float, std: float, unit: str, limb: 
     )
 
 
-def consistent(rigid: Rigid, fits: Sequence[Fit]) -> tuple[Consistent, ...]:
+def _consistent(rigid: Rigid, fits: Sequence[Fit]) -> tuple[tuple[Consistent, ...], float]:
     """Return inertial parameters of bodies that could be built, as near to the base parameters as the noise asks.
 
-    A body of points with positive masses has a positive definite inertia: masses on a lattice in each link's frame, by
-    least squares that keeps them positive (Lawson, Hanson 1974).
+    Masses on a lattice, by least squares that keeps them positive (Lawson, Hanson 1974). With them comes by how much
+    their base parameters are off: rms, in standard deviations.
     """
     G, g = _normal(rigid, fits)
     scale = np.sqrt(np.maximum(np.diag(G), 1e-300))
@@ -186,17 +229,14 @@ def consistent(rigid: Rigid, fits: Sequence[Fit]) -> tuple[Consistent, ...]:
     kept = values > 1e-10 * values[-1]
     half = np.sqrt(values[kept])[:, None] * (vectors[:, kept].T * scale)
     wanted = (vectors[:, kept].T @ (g / scale)) / np.sqrt(values[kept])
-    points = rigid.dynamics.of_points(np.array(np.meshgrid(*[LATTICE] * 3)).reshape(3, -1).T)
-    bodies = rigid.dynamics.bodies
-    of_body = [half @ rigid.common.made_up[:, b * points.shape[1] : (b + 1) * points.shape[1]] for b in range(bodies)]
-    rotors = half @ rigid.common.made_up[:, bodies * points.shape[1] :]
-    A = np.hstack([*(part @ points.T for part in of_body), rotors])
+    simplest = rigid.dynamics.buildable()
+    A = half @ rigid.common.made_up @ simplest.T
     size = np.linalg.norm(A, axis=0)
     size[size == 0] = 1.0
-    masses = nnls(A / size, wanted, maxiter=20 * A.shape[1])[0] / size
-    of_bodies, of_rotors = np.split(masses, [bodies * len(points)])
-    found = np.concatenate([*(part @ points for part in of_bodies.reshape(bodies, -1)), of_rotors])
-    return tuple(
+    masses, off = nnls(A / size, wanted, maxiter=20 * A.shape[1])
+    found = (masses / size) @ simplest
+    told = tuple(
         Consistent(name=name, value=float(v), unit=unit)
         for name, v, unit in zip(rigid.names, found, rigid.dynamics.units, strict=True)
     )
+    return told, float(off / np.sqrt(max(len(wanted), 1)))

@@ -72,11 +72,11 @@ class Torque:
         told = Truth() if truth is None else read_truth(truth, Rigid(robot))
         return simulated(robot, given, told, noise, np.random.default_rng(seed))
 
-    def predict(self, known: MotionModel) -> Trajectories:
-        """Return the recording with the readings that a model predicts."""
+    def predict(self, known: MotionModel, *, bands: bool = False) -> Trajectories:
+        """Return the recording with the readings that a model predicts, and their bands where these are asked for."""
         from deltacal_gen.motion.prediction import predicted
 
-        return predicted(known, self.read(robot_of(known.robot), need_measured=False))
+        return predicted(known, self.read(robot_of(known.robot), need_measured=False), bands=bands)
 
     def validate(self, known: MotionResult | MotionDiagnosis) -> MotionValidation:
         """Return how far off a model is on the recording."""
@@ -147,9 +147,11 @@ def flaws(known: MotionModel) -> Iterator[tuple[str, str]]:
 
 def columns_of(done: Trajectories) -> Columns:
     """Return a recording in motion as columns of a file."""
+    from deltacal_gen.motion.bands import ends
+
     limbs = done.joints.shape[1]
     factors = joint_factors(done.joint_unit, limbs)
     joints = zip(joint_names(done.joint_unit, limbs), (done.joints / factors).T, strict=True)
     runs = {} if done.run_names == ("1",) else {"run": [done.run_names[code] for code in done.run]}
     readings = dict(zip(done.columns, done.readings.T, strict=True))
-    return {**runs, TIME: done.time, **dict(joints), **done.channels, **readings}
+    return {**runs, TIME: done.time, **dict(joints), **done.channels, **readings, **ends(done)}

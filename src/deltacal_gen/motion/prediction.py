@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from deltacal_gen.files.robot import robot_of
+from deltacal_gen.motion.bands import half_width
 from deltacal_gen.motion.derivatives import motion
 from deltacal_gen.motion.joint import earlier
 from deltacal_gen.motion.library import LOAD, Rung, of_joint
@@ -33,10 +34,16 @@ if TYPE_CHECKING:
 WORST = 20  # readings that are listed
 
 
-def predicted(known: MotionModel, given: Trajectories) -> Trajectories:
+def predicted(known: MotionModel, given: Trajectories, *, bands: bool = False) -> Trajectories:
     """Return a recording with the readings that a model predicts; blank at rest, where friction is not known.
 
-    Measured cells are not read. A joint that did not move in the recording of the model has no prediction.
+    Measured cells are not read. A joint that did not move in the recording of the model has no prediction. With
+    `bands` half the width of each reading's band of 95 % stands beside it; see `motion.bands`.
+
+    Raises
+    ------
+    InputError
+        Bands are asked of a result that says nothing of its uncertainty.
     """
     robot = robot_of(known.robot)
     rigid, found = Rigid(robot), motion(given, known.motion.cutoff_Hz)
@@ -48,15 +55,21 @@ def predicted(known: MotionModel, given: Trajectories) -> Trajectories:
     units = tuple(column.rpartition("_")[2] if "_" in column else "1" for column in known.columns)
     done = dataclasses.replace(given, columns=known.columns, units=units)
     out, outside = np.full(given.joints.shape, np.nan), np.zeros(given.n_rows, dtype=bool)
+    half = np.full(given.joints.shape, np.nan) if bands else None
     for j, model in models.items():
         late = functools.partial(earlier, delay=model.delay or 0.0, time=given.time, piece=given.piece)
         read = {name: late(values) for name, values in of_joint(given, states, j - 1).items()}
         own = late(columns[j - 1]), late(payload[:, j - 1]), done.readouts[j - 1]
-        value = given_by_drive(model, read, remembered(model, read, given), *own)
+        past = remembered(model, read, given)
+        value = given_by_drive(model, read, past, *own)
         moving = np.abs(late(found.states[1, :, j - 1])) > model.at_rest_below
         out[:, j - 1] = np.where(moving, value / done.readouts[j - 1].inside, np.nan)
-        outside |= moving & beyond_laws(model, read | {LOAD: load_of(model, *own)})
-    return dataclasses.replace(done, readings=out, outside=outside)
+        read = read | {LOAD: load_of(model, *own)}
+        outside |= moving & beyond_laws(model, read)
+        if half is not None:
+            by = own[0] if model.payload is None else np.column_stack(own[:2])
+            half[:, j - 1] = half_width(model, read, past, by, given) / done.readouts[j - 1].inside
+    return dataclasses.replace(done, readings=out, outside=outside, half=half)
 
 
 def beyond_laws(model: JointModel, states: dict[str, Array]) -> np.ndarray:

@@ -201,13 +201,14 @@ class Bench:
         left = self.yy[rows] + (found * ((G @ found[..., None])[..., 0] - 2 * g)).sum(axis=2)
         return np.asarray(np.maximum(left.sum(axis=1), 0.0) / n.sum())
 
-    def covariance(self, columns: Sequence[int]) -> Array:
-        """Return the inverse of the normal equations of all samples, of coefficients as scaled.
+    def covariance(self, columns: Sequence[int], folds: Sequence[int] | None = None) -> Array:
+        """Return the inverse of the normal equations of some folds, or all samples, of coefficients as scaled.
 
         Without the ridge that serves predictions best: it is no knowledge of any coefficient.
         """
-        G, _ = self._of(columns, range(len(self.n)))
-        G[np.diag_indices_from(G)] += RIDGES[0] * self.n.sum()
+        rows = range(len(self.n)) if folds is None else folds
+        G, _ = self._of(columns, rows)
+        G[np.diag_indices_from(G)] += RIDGES[0] * self.n[list(rows)].sum()
         return np.asarray(np.linalg.pinv(G, hermitian=True))
 
 

@@ -23,7 +23,6 @@ SIZE = {"rad": 1.0, "mm": 200.0}  # of joints, velocities and accelerations ther
 RANK = 1e-9  # of the largest: a smaller diagonal of R is a column that others make up
 TERM = 1e-6  # of a combination's largest term: smaller ones are not told
 BLOCK = 4096  # samples at a time
-POINTS = (-150.0, -50.0, 0.0, 50.0, 150.0)  # mm, along each axis: where masses of a consistent body may sit
 
 
 @dataclass(frozen=True, eq=False)

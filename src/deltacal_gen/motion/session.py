@@ -13,6 +13,7 @@ from deltacal_gen.errors import InputError
 from deltacal_gen.files.robot import kept_robot
 from deltacal_gen.machine.dynamics import torque_by_errors
 from deltacal_gen.machine.values import Robot
+from deltacal_gen.motion.bands import uncertainty_of
 from deltacal_gen.motion.derivatives import Motion, motion
 from deltacal_gen.motion.fit import Fit
 from deltacal_gen.motion.joint import Joint, series_of
@@ -284,6 +285,7 @@ class Session:
             terms=tuple(terms),
             at_rest_below=fit.joint.threshold,
             delay=None if fit.lag is None else fit.lag.delay,
+            uncertainty=uncertainty_of(fit),
         )
 
 
@@ -312,7 +314,8 @@ def still_to_move(session: Session, fits: Sequence[Fit]) -> tuple[NextMeasuremen
     found = []
     if still:
         text = f"Move joint {still}, both ways and at several speeds, in runs of ten seconds at least."
-        found.append(NextMeasurement(why="joints stood still", text=text, poses=(), expected_chi2=None))
+        why = "joints stood still"
+        found.append(NextMeasurement(why=why, text=text, poses=(), expected_chi2=None, run=("q", "qd")))
     if silent:
         text = f"Record what the drive of joint {silent} gives, if it has one: it moves, and its reading never changes."
         found.append(NextMeasurement(why="readings never change", text=text, poses=(), expected_chi2=None))

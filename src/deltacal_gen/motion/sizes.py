@@ -38,7 +38,7 @@ def settled(joint: Joint, rungs: Sequence[Rung], load: Array) -> tuple[list[Rung
         bench = Bench.of(X, joint.y, joint.fold, joint.X.shape[1]).with_ridge(range(X.shape[1]))
         found = bench.fit(range(X.shape[1]), range(len(bench.n))) / bench.scale
         left = joint.y - X @ found
-        D = np.column_stack([_by_size(joint, rungs, n, found, load) for n in sized])
+        D = by_sizes(joint, rungs, found, load)
         if (error := float(left @ left)) < best[0]:
             best = error, list(rungs), D
         else:
@@ -58,6 +58,13 @@ def settled(joint: Joint, rungs: Sequence[Rung], load: Array) -> tuple[list[Rung
 
 def _times(rung: Rung, factor: float) -> Rung:
     return Rung(rung.effect, (rung.constants[0] * factor,))
+
+
+def by_sizes(joint: Joint, rungs: Sequence[Rung], coefficients: Array, load: Array) -> Array:
+    """Return the derivatives (M, k) of what a fit says of a joint by the logarithms of its sizes, in their order."""
+    sized = [n for n, rung in enumerate(rungs) if rung.continuous]
+    each = [_by_size(joint, rungs, n, coefficients, load) for n in sized]
+    return np.column_stack(each) if each else np.empty((len(joint.y), 0))
 
 
 def _by_size(joint: Joint, rungs: Sequence[Rung], n: int, coefficients: Array, load: Array) -> Array:

@@ -129,6 +129,8 @@ class Trajectories:
         Label of each row, of what the machine carries or where it stands; empty where the file has none.
     outside : (N,) array of bool
         Of predicted readings: which lie outside of where a law was found; empty of those that were read.
+    half : (N, n_q) array, optional
+        Of predicted readings: half the width of their bands, where these were asked for.
     """
 
     path: Path | str
@@ -150,6 +152,7 @@ class Trajectories:
     constants: tuple[float, ...] | None = None
     setups: tuple[str, ...] = ()
     outside: np.ndarray = field(default_factory=lambda: np.zeros(0, dtype=bool))
+    half: Array | None = None
 
     pairs: ClassVar[None] = None  # what only readings between rows have, for those who look at either
 

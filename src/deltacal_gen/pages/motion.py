@@ -51,7 +51,7 @@ def motion(found: MotionResult | MotionDiagnosis) -> str:
                 "badge": Verdict.ADEQUATE.value,
                 "verdict": "identified",
                 "headline": f"{machine}: {len(found.parameters)} base parameters",
-                "lead": f"Rms of held-out samples, without friction: {by_joint(found.final)}.",
+                "lead": _lead(found),
                 "next": [(report.spaced(n.why), n.text) for n in found.next_measurements],
             }
             | each
@@ -63,6 +63,7 @@ def motion(found: MotionResult | MotionDiagnosis) -> str:
         heldout=_heldout(found),
         time=[_picture(f"joint {t.limb}", partial(over_time, trace=t, bare=not diagnosed)) for t in found.traces],
         against=[{"title": f"joint {t.limb}", "svg": _panels(t, bare=not diagnosed)} for t in found.traces],
+        bodies=[(body.name, f"{body.value:.5g}", body.unit) for body in found.consistent or ()],
         base_columns=("parameter", *(("joint",) if own else ()), "made of", "value ± standard deviation", "unit"),
         base=[
             (
@@ -75,6 +76,13 @@ def motion(found: MotionResult | MotionDiagnosis) -> str:
             for p in found.parameters
         ],
     )
+
+
+def _lead(found: MotionResult | MotionDiagnosis) -> str:
+    """Return what the rigid machine alone leaves, and what friction does to its parameters."""
+    lead = f"Rms of held-out samples, without friction: {by_joint(found.final)}."
+    said = found.friction if isinstance(found, MotionResult) else None
+    return f"{lead} {said[0].upper()}{said[1:]}." if said else lead
 
 
 def _diagnosed(found: MotionDiagnosis) -> dict[str, Any]:

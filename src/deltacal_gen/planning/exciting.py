@@ -19,7 +19,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -73,6 +73,12 @@ class Series:
         c, s = np.cos(np.outer(time, w)), np.sin(np.outer(time, w))
         q = self.centre + (s / w) @ self.cosine + ((1 - c) / w) @ self.sine
         return np.stack([q, c @ self.cosine + s @ self.sine, (-s * w) @ self.cosine + (c * w) @ self.sine])
+
+    def slower(self, factor: float) -> Series:
+        """Return the same way so many times as slowly."""
+        return dataclasses.replace(
+            self, cosine=self.cosine / factor, sine=self.sine / factor, period=self.period * factor
+        )
 
     def times(self, factor: Array | float) -> Series:
         """Return the movement so many times as large, joint by joint."""
@@ -309,20 +315,39 @@ def exciting(
     return answer, tuple(chosen)
 
 
-def columns_of(robot: Robot, series: Sequence[Series], rate: float) -> Columns:
-    """Return the columns of a trajectory's file: runs, times, joints, velocities, accelerations."""
+def columns_of(
+    robot: Robot,
+    series: Sequence[Series],
+    rate: float,
+    names: Sequence[object] = (),
+    channels: Mapping[str, Sequence[float]] | None = None,
+) -> Columns:
+    """Return the columns of a trajectory's file: runs, times, joints, velocities, accelerations.
+
+    Parameters
+    ----------
+    names : sequence, optional
+        Of the runs; counted from 1 by default.
+    channels : mapping, optional
+        Further columns, with the value of each run.
+    """
     machine = mechanism_of(robot)
     unit, limbs = machine.joint_unit, machine.limbs
-    time = np.arange(0, round(series[0].period * rate) + 1) / rate
-    states = np.concatenate([s.states(time) for s in series], axis=1)
-    found: Columns = {"run": [k + 1 for k in range(len(series)) for _ in time]}
-    found[TIME] = np.tile(time, len(series))
+    times = [np.arange(0, round(s.period * rate) + 1) / rate for s in series]
+    states = np.concatenate([s.states(time) for s, time in zip(series, times, strict=True)], axis=1)
+
+    def each(values: Sequence[Any]) -> list[Any]:
+        return [value for value, time in zip(values, times, strict=True) for _ in time]
+
+    found: Columns = {"run": each(names or range(1, len(series) + 1))}
+    found[TIME] = np.concatenate(times)
     for values, pattern in zip(states, PATTERNS, strict=True):
         found |= dict(zip(joint_names(unit, limbs, pattern), (values / joint_factors(unit, limbs)).T, strict=True))
-    return found
+    return found | {name: each(values) for name, values in (channels or {}).items()}
 
 
-def write_trajectory(robot: Robot, series: Sequence[Series], rate: float, path: str | Path) -> None:
-    """Write trajectories as a CSV that `simulate` takes, with its sidecar."""
+def write_trajectory(robot: Robot, series: Sequence[Series], rate: float, path: str | Path, **further: Any) -> None:
+    """Write trajectories as a CSV that `simulate` takes, with its sidecar; `further` of `columns_of`."""
     sidecar = toml_text({"measurement": {"kind": TORQUE}})
-    write_files({Path(path): csv_text(columns_of(robot, series, rate)), Path(path).with_suffix(".toml"): sidecar})
+    columns = columns_of(robot, series, rate, **further)
+    write_files({Path(path): csv_text(columns), Path(path).with_suffix(".toml"): sidecar})

@@ -233,6 +233,8 @@ class NextMeasurement(Value):
     """What the first of `poses`, by their worth, and then of `further` make."""
     further: tuple[Row, ...] | None = None
     """Rows for those who can measure more."""
+    run: tuple[str, ...] | None = None
+    """Of a recording in motion, where another run is what tells: the states that it must vary."""
 
 
 class BeforeAfter(Value):

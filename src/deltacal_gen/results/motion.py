@@ -87,6 +87,20 @@ class TorqueTerm(Value):
     values: tuple[float, ...]
 
 
+class JointUncertainty(Value):
+    """How surely the reading of a joint is known: what bands are made of, in internal units."""
+
+    factor: Numbers
+    """Lower triangle, row by row, of L with covariance L L': of `coefficients`, `payload`, the values of `terms`, and
+    the logarithms of the sizes in them."""
+    scatter: float
+    """By which single readings of runs that took no part depart beside it, noise and what the model leaves out."""
+    degrees: float
+    """Of freedom, on which this rests: samples that hang together count as one."""
+    delay_std: float | None = None
+    """Of `delay` [s]."""
+
+
 class JointModel(Value):
     """What predicts the reading of a joint, in internal units."""
 
@@ -101,6 +115,7 @@ class JointModel(Value):
     """Speed [rad/s or mm/s]."""
     delay: float | None = None
     """By which readings come late [s]."""
+    uncertainty: JointUncertainty | None = None
 
 
 class PayloadState(Value):
@@ -179,6 +194,14 @@ class Trace(Value):
     error_after: Column
 
 
+class Consistent(Value):
+    """An inertial parameter of bodies that could be built: positive masses, positive definite inertias; as it is."""
+
+    name: str
+    value: float
+    unit: str
+
+
 class MotionModel(Answer):
     """What results and diagnoses of recordings in motion have in common."""
 
@@ -195,6 +218,19 @@ class MotionModel(Answer):
     robot: RobotTables
     parameters: tuple[InertialParameter, ...]
     """Base parameters of the rigid machine, beside all that was found."""
+    rank: int | None = None
+    """How many base parameters there are; absent in diagnoses that older versions wrote, as all that follows."""
+    rank_tolerance: float | None = None
+    singular_values: Numbers | None = None
+    """Of the columns of the base parameters, each of size 1, over all readings by their noise."""
+    condition: float | None = None
+    scaling: str = ""
+    unidentifiable: tuple[OpenCombination, ...] = ()
+    """What no torque knows: parameters, and combinations that leave every torque as it is."""
+    consistent: tuple[Consistent, ...] | None = None
+    """Bodies that could be built; absent where what the drives give per torque is unknown."""
+    consistent_off: float | None = None
+    """By how much base parameters of these bodies are off those that were found: rms, in standard deviations."""
     traces: tuple[Trace, ...]
     gross_errors: tuple[int, ...]
     """Lines of the recording in which something was put right or left out: `motion.repairs` says what."""
@@ -206,30 +242,14 @@ class MotionModel(Answer):
         return False
 
 
-class Consistent(Value):
-    """An inertial parameter of bodies that could be built: positive masses, positive definite inertias; as it is."""
-
-    name: str
-    value: float
-    unit: str
-
-
 class MotionResult(MotionModel):
     """The rigid machine in motion: contract, second part, section 8."""
 
     schema: Literal["deltacal.result/1"] = "deltacal.result/1"
     model: str
-    rank: int
-    rank_tolerance: float
-    singular_values: Numbers
-    """Of the columns of the base parameters, each of size 1, over all readings by their noise."""
-    condition: float | None
-    scaling: str
-    unidentifiable: tuple[OpenCombination, ...]
     next_measurements: tuple[NextMeasurement, ...]
     regularisation: Regularisation
     readings: Read
-    consistent: tuple[Consistent, ...] | None = None
     noise: MotionNoise
     final: Left
     train_rms_Nm: float | None = None
@@ -246,6 +266,8 @@ class MotionResult(MotionModel):
     sigma_1: float | None = None
     sigma_source: Source
     chi2_per_dof: float | None
+    friction: str | None = None
+    """What friction, which is no part of the model, does to its parameters: where there is some."""
     doubts: tuple[str, ...] | None = None
     """Why the readings may not be of this machine."""
 
@@ -253,7 +275,8 @@ class MotionResult(MotionModel):
     def headline(self) -> str:
         """What the rigid machine leaves."""
         left = f"{self.model}: {self.rank} base parameters; held-out rms {by_joint(self.final)}"
-        return "; ".join([left, *(f"warning: {words}" for words in self.doubts or ())])
+        said = [*([self.friction] if self.friction else []), *(f"warning: {words}" for words in self.doubts or ())]
+        return "; ".join([left, *said])
 
     def table(self) -> tuple[InertialParameter, ...]:
         """Return the base parameters."""

@@ -110,8 +110,27 @@ class Asked(Value):
     expected_chi2: float
 
 
+class Runs(Value):
+    """Movements to be recorded next, of a machine in motion."""
+
+    why: tuple[str, ...]
+    """The questions that they are for."""
+    runs: tuple[str, ...]
+    """As the file calls them."""
+    period_s: tuple[float, ...]
+    payload_kg: tuple[float, ...] | None = None
+    """Of each run, where [limits] of the robot file says what may be carried."""
+    rate_Hz: float
+    condition: float | None
+    """Of what they tell, as of `plan`; null where it is infinite."""
+    notes: tuple[str, ...]
+    """Limits that were assumed."""
+    command: str
+    """What plans movements of other lengths or rates."""
+
+
 class Experiment(Answer):
-    """Rows of `next`."""
+    """Rows of `next`; of a machine in motion its runs, whose rows are in the file alone."""
 
     schema: Literal["deltacal.next/1"] = "deltacal.next/1"
     file: str | None
@@ -120,6 +139,7 @@ class Experiment(Answer):
     questions: tuple[Asked, ...]
     advice: tuple[str, ...]
     """What no poses settle, in words."""
+    motion: Runs | None = None
 
 
 class Round(Value):

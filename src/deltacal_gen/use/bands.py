@@ -22,6 +22,7 @@ from deltacal_gen.machine.rotation import from_vector, to_vector
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.channels import Channels
+from deltacal_gen.physics.factors import quantile
 from deltacal_gen.physics.terms import Term
 from deltacal_gen.results.diagnosis import Diagnosis
 from deltacal_gen.results.parts import Uncertainty
@@ -36,7 +37,6 @@ from deltacal_gen.use.prediction import (
     prediction_problem,
 )
 
-HELD = 0.95  # probability of a band
 ASIDE = 1e-6  # rad: by which a rotation is turned to see how its vector changes
 
 
@@ -341,10 +341,3 @@ def _beyond(result: Result | Diagnosis, known: Uncertainty, done: Recording, fou
     )
     each = share[found.rows].min(axis=1)
     return np.sqrt(each * after + (1 - each) * before)
-
-
-def quantile(degrees: float) -> float:
-    """Return the number of standard deviations within which `HELD` of a t distribution lies."""
-    from scipy.special import stdtrit
-
-    return float(stdtrit(degrees, (1 + HELD) / 2))

@@ -18,6 +18,7 @@ from deltacal_gen.instrument.kind import Readings
 from deltacal_gen.instrument.kinds import readings
 from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.machine.values import Recording
+from deltacal_gen.physics.factors import HELD, quantile
 from deltacal_gen.results.certificate import Budget, Condition, Contribution, Errors
 from deltacal_gen.results.diagnosis import Diagnosis
 from deltacal_gen.results.parts import MachineState, Source
@@ -150,7 +151,7 @@ def _budget(
     variance = float(np.sum(np.square(sizes)))
     slack = sum(u**4 / line.degrees for u, line in zip(sizes, lines, strict=True) if line.degrees is not None)
     degrees = variance**2 / slack if slack > 0 else None
-    factor = bands.quantile(np.inf if degrees is None else degrees)
+    factor = quantile(np.inf if degrees is None else degrees)
     each = factor * np.sqrt(sum(line.values**2 for line in lines))
     return Budget(
         measurand="a coordinate that is read, less that of the calibrated machine at the joints commanded"
@@ -170,7 +171,7 @@ def _budget(
         degrees=degrees,
         factor=factor,
         expanded_mm=factor * float(np.sqrt(variance)),
-        probability=bands.HELD,
+        probability=HELD,
         machine_mm=factor * float(np.sqrt(max(variance - sizes[0] ** 2, 0.0))),
         within=float(np.mean(np.abs(r[read]) <= each[read])),
     )

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from deltacal_gen.machine.values import Recording
     from deltacal_gen.results.motion import MotionPlan
     from deltacal_gen.results.plan import CyclePlan, Plan
+    from deltacal_gen.results.written import Runs
 
 
 Measured = Annotated[
@@ -242,7 +243,7 @@ def next_(
     diagnosis: Annotated[
         Path, typer.Argument(metavar="DIAGNOSIS", help="DIAGNOSIS.json of diagnose", show_default=False)
     ],
-    output: Annotated[Path, output_file("POSES.csv: rows to measure")],
+    output: Annotated[Path, output_file("POSES.csv: rows to measure; in motion a trajectory of runs to record")],
     budget: Annotated[
         int | None, typer.Option(help="how many rows; default as many as the open questions take", show_default=False)
     ] = None,
@@ -259,12 +260,28 @@ def next_(
             screen.print(f"{asked.rows} rows: {asked.why} (expected difference in chi2: {asked.expected_chi2:.0f})")
         for words in found.advice:
             screen.print(f"  {escaped(words)}")
-        if found.poses:
+        if found.motion is not None:
+            _show_runs(found.motion, output)
+        elif found.poses:
             screen.print(f"{len(found.poses)} rows written to {output}: measure them, append them, diagnose again")
         else:
             screen.print("nothing is open that poses could settle; no file was written")
-    if not found.poses:
+    if not found.poses and found.motion is None:
         raise typer.Exit(1)
+
+
+def _show_runs(found: Runs, output: Path | None) -> None:
+    """Print which runs of a machine in motion are to be recorded."""
+    for n, (name, period) in enumerate(zip(found.runs, found.period_s, strict=True)):
+        carried = "" if found.payload_kg is None else f", with {found.payload_kg[n]:g} kg"
+        screen.print(f"  {name}: {period:g} s{carried}")
+    for note in found.notes:
+        screen.print(f"  {escaped(note)}")
+    screen.print(
+        f"{len(found.runs)} runs written to {output}: let the machine follow them, record what its drives give, append "
+        "it, diagnose again"
+    )
+    screen.print(f"other lengths or rates: {escaped(found.command)}")
 
 
 def loop(

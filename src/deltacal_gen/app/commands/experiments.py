@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from deltacal_gen.motion.trajectories import Trajectories
     from deltacal_gen.physics.terms import Term
     from deltacal_gen.results.diagnosis import Diagnosis
-    from deltacal_gen.results.motion import MotionPlan
+    from deltacal_gen.results.motion import MotionDiagnosis, MotionPlan
     from deltacal_gen.results.plan import CyclePlan, Plan
     from deltacal_gen.results.reader import Given
     from deltacal_gen.results.written import Experiment, Looped, Round
@@ -273,6 +273,8 @@ def _truth(
 def next_poses(diagnosis: Given, output: Source | None = None, *, budget: int | None = None) -> Experiment:
     """Return the rows to measure next, which settle what a diagnosis leaves open; `output` is POSES.csv.
 
+    Of a diagnosis in motion they are runs: `output` is a trajectory, with its sidecar; see `planning.runs`.
+
     Parameters
     ----------
     budget : int, optional
@@ -288,14 +290,17 @@ def next_poses(diagnosis: Given, output: Source | None = None, *, budget: int | 
     """
     from deltacal_gen.files.writing import csv_text, write_files
     from deltacal_gen.results.diagnosis import Diagnosis
+    from deltacal_gen.results.motion import MotionDiagnosis
     from deltacal_gen.results.written import Asked, Experiment
     from deltacal_gen.use import experiments
-    from deltacal_gen.use.known import known_result
+    from deltacal_gen.use.known import known_model
 
     check_output(output, diagnosis)
     if budget is not None and budget < 1:
         raise UsageError(f"a budget of {budget} rows is none; give 1 or more.")
-    known = known_result(diagnosis)
+    known = known_model(diagnosis)
+    if isinstance(known, MotionDiagnosis):
+        return _next_runs(known, output, budget)
     if not isinstance(known, Diagnosis):
         raise InputError("this is no diagnosis, and leaves no question open.", "Give what deltacal diagnose wrote.")
     questions = experiments.open_questions(known)
@@ -310,6 +315,29 @@ def next_poses(diagnosis: Given, output: Source | None = None, *, budget: int | 
             Asked(why=q.why, rows=n, expected_chi2=q.after(n)) for q, n in zip(questions, found.counts, strict=False)
         ),
         advice=tuple(f"{n.why}: {n.text}" for n in known.next_measurements if not n.poses),
+    )
+
+
+def _next_runs(known: MotionDiagnosis, output: Source | None, budget: int | None) -> Experiment:
+    """Return the runs to record next, written where one of them tells something."""
+    from deltacal_gen.planning import runs
+    from deltacal_gen.results.written import Experiment
+
+    file = None if output is None else Path(output)
+    if budget is not None:
+        raise UsageError(
+            "a diagnosis in motion asks for runs, of which rows are not counted; leave --budget out, or plan as many "
+            f"runs as may be: {runs.command(known, file)}"
+        )
+    found = runs.asked(known, file)
+    if found is not None and file is not None:
+        runs.write(known, found, file)
+    return Experiment(
+        file=None if found is None or file is None else str(file),
+        poses=(),
+        questions=(),
+        advice=tuple(f"{n.why}: {n.text}" for n in known.next_measurements),
+        motion=None if found is None else found.answer,
     )
 
 

@@ -254,7 +254,8 @@ def predict(
     channels of the recording that is returned or, of distances, columns of the file alone. The noise of a reading is
     not in them.
 
-    Of a result in motion the answer is a `motion.trajectories.Trajectories`.
+    Of a result in motion the answer is a `motion.trajectories.Trajectories`, with half the width of its bands in
+    `half`. They hold readings, noise included: sample by sample nobody tells that from what the model leaves out.
     """
     from deltacal_gen.diagnosis import spectrum
     from deltacal_gen.use import prediction
@@ -262,8 +263,8 @@ def predict(
     check_output(output, result, recording, place)
     known = known_model(result)
     if isinstance(known, MotionModel):
-        refuse_in_motion(place=place, bands=bands)
-        found = _moving(recording).predict(known)
+        refuse_in_motion(place=place)
+        found = _moving(recording).predict(known, bands=bands)
         for words in (*put_right(found.repairs), in_words(found.outside, "samples")):
             if words is not None:
                 tell(words)

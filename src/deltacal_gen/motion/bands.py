@@ -1,0 +1,132 @@
+"""Bands in motion: between which values a reading of a drive lies with 95 % probability.
+
+What a fit knows of bodies and friction is one covariance, samples that hang together counted as one. What readings of
+runs that took no part depart by beside it, noise and what the model leaves out, comes on top, as large as makes the
+bands hold 95 % of just these readings, whatever their distribution. Bodies that the robot file states, and a payload
+that was found beside them, count as known.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from deltacal_gen.errors import InputError
+from deltacal_gen.motion.fit import Fit
+from deltacal_gen.motion.joint import earlier
+from deltacal_gen.motion.library import Rung
+from deltacal_gen.motion.regression import Bench
+from deltacal_gen.motion.sizes import STEP, by_sizes
+from deltacal_gen.physics.factors import HELD, packed, quantile, unpacked
+from deltacal_gen.results.motion import JointModel, JointUncertainty
+
+if TYPE_CHECKING:
+    from deltacal_gen.machine.registry import Array
+    from deltacal_gen.motion.trajectories import Trajectories
+
+FEWEST = 3.0  # degrees of freedom on which a figure may rest
+
+
+def uncertainty_of(fit: Fit) -> JointUncertainty:
+    """Return how surely the reading of a joint is known, by what fits to the other folds leave of each."""
+    degrees = max(len(fit.left) / fit.together - len(fit.covariance), FEWEST)
+    known = np.isfinite(fit.held_out)
+    beyond = np.quantile(fit.left**2, HELD)  # of the fit itself: no less is left of others
+    if known.any():
+        beyond = max(beyond, np.quantile(fit.held_out[known] ** 2 - quantile(degrees) ** 2 * _apart(fit)[known], HELD))
+    return JointUncertainty(
+        factor=packed(fit.covariance),
+        scatter=float(np.sqrt(beyond)) / quantile(degrees),
+        degrees=float(degrees),
+        delay_std=None if fit.lag is None else fit.lag.std,
+    )
+
+
+def _apart(fit: Fit) -> Array:
+    """Return by how much (variance, (M,)) each sample is unknown to fits to the other folds."""
+    joint = fit.joint
+    X = np.hstack([joint.columns(fit.rungs, fit.load), by_sizes(joint, fit.rungs, fit.coefficients, fit.load)])
+    bench, each = Bench.of(X, joint.y, joint.fold, joint.X.shape[1]), range(X.shape[1])
+    out = np.zeros(len(X))
+    for fold in bench.folds:
+        own = joint.held == fold
+        C = bench.covariance(each, [f for f in bench.folds if f != fold])
+        columns = X[own] / bench.scale
+        out[own] = ((columns @ C) * columns).sum(axis=1) * fit.sigma**2 * fit.together
+    return out
+
+
+def half_width(
+    model: JointModel, read: dict[str, Array], past: Sequence[dict[str, Array]], columns: Array, given: Trajectories
+) -> Array:
+    """Return half the width (N,) of the bands of a joint's readings, in units inside.
+
+    Parameters
+    ----------
+    read, past
+        What effects read, the load among it, and what each remembers; see `prediction.given_by_drive`.
+    columns : (N, r) array
+        What each coefficient of the rigid machine, and the payload where it has one, asks of the joint.
+
+    Raises
+    ------
+    InputError
+        The result says nothing of its uncertainty.
+    """
+    known = model.uncertainty
+    if known is None:
+        raise InputError(
+            f"the result says nothing of how surely it knows joint {model.joint}: an earlier version made it.",
+            "Run identify or diagnose again.",
+        )
+    by_size: list[Array] = []
+    parts, total = [columns], columns @ _of_machine(model)
+    for term, own in zip(model.terms, past, strict=True):
+        rung, values = Rung(term.effect, term.constants), np.array(term.values)
+        parts.append(rung.columns(read | own))
+        total = total + parts[-1] @ values
+        if rung.continuous:
+            by_size.append(_by_size(rung, read, values, given))
+    J = np.column_stack([*parts, *by_size])
+    L = unpacked(known.factor)
+    if len(L) != J.shape[1]:
+        raise InputError(
+            f"the uncertainty of joint {model.joint} is of {len(L)} numbers, and it has {J.shape[1]}: the result was "
+            "changed by hand.",
+            "Give the file as it was written.",
+        )
+    variance = ((J @ L) ** 2).sum(axis=1) + known.scatter**2
+    if known.delay_std is not None:
+        variance += (earlier(total, known.delay_std, given.time, given.piece) - total) ** 2
+    return np.asarray(quantile(known.degrees) * np.sqrt(variance))
+
+
+def _of_machine(model: JointModel) -> Array:
+    return np.array([*model.coefficients, *([] if model.payload is None else [model.payload])])
+
+
+def _by_size(rung: Rung, read: dict[str, Array], values: Array, given: Trajectories) -> Array:
+    """Return the derivative (N,) of what an effect gives by the logarithm of its size."""
+    sides = []
+    for way in (STEP, -STEP):
+        other = Rung(rung.effect, (rung.constants[0] * float(np.exp(way)),))
+        sides.append(other.columns(read | other.remembered(read, given.time, given.piece)))
+    return np.asarray((sides[0] - sides[1]) @ values / (2 * STEP))
+
+
+def named(column: str) -> tuple[str, str]:
+    """Return the names of the two ends of a column's band: ``tau1_lo_Nm, tau1_hi_Nm``; ``drive1_lo, drive1_hi``."""
+    stem, _, unit = column.partition("_")
+    return (f"{stem}_lo_{unit}", f"{stem}_hi_{unit}") if unit else (f"{stem}_lo", f"{stem}_hi")
+
+
+def ends(done: Trajectories) -> dict[str, Array]:
+    """Return the ends of the bands of predicted readings by their columns; none where no bands were asked for."""
+    if done.half is None:
+        return {}
+    out: dict[str, Array] = {}
+    for name, centre, half in zip(done.columns, done.readings.T, done.half.T, strict=True):
+        out |= zip(named(name), (centre - half, centre + half), strict=True)
+    return out
