@@ -67,7 +67,7 @@ def added(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFacto
     """A copy of the sources to which an effect's file was added, with a machine that has it, and rows to measure."""
     name, case, robot = str(request.param), ADDED[request.param], machine()
     text = printed("add-effect", name)
-    made = Checkout.with_file(tmp_path_factory.mktemp("sources"), "effects", name, text)
+    made = Checkout.with_files(tmp_path_factory.mktemp("sources"), "effects", {name: text})
     (made.folder / "robot.toml").write_text(robot_to_toml(robot), encoding="utf-8")
     values = "\n".join(f"{key} = {value}" for key, value in case.truth.items())
     truth = f'[[effects]]\nname = "{name}"\nlimb = {LIMB}\n{values}\n'
@@ -164,9 +164,9 @@ def test_many_recordings_of_it_are_diagnosed(added: Checkout) -> None:
         ("batch", "hall", "-o", "run", "--workers", 1),
         ("loop", "robot.toml", "grown.csv", "--measure", measuring, "--budget", 20, "-o", "last.json"),
     )
-    (found,) = (added.folder / "run").rglob("*diagnosis*.json")
-    for file in (found, added.folder / "last.json"):
-        effects = json.loads(file.read_text(encoding="utf-8"))["effects"]
+    (task,) = (added.folder / "run" / "tasks").rglob("*.json")
+    found, last = (json.loads(file.read_text(encoding="utf-8")) for file in (task, added.folder / "last.json"))
+    for effects in (found["result"]["effects"], last["effects"]):
         assert [(e["name"], e["limbs"]) for e in effects] == [(added.name, [LIMB])]
 
 

@@ -97,7 +97,7 @@ def checkout(tmp_path_factory: pytest.TempPathFactory) -> Checkout:
     names: dict[str, Any] = {}
     exec(text, names)
     robot = {"robot": {"name": "stage", "mechanism": "rrr"}, **names["MACHINE"].keywords["drawing"]}
-    made = Checkout.with_file(tmp_path_factory.mktemp("checkout"), "mechanisms", "rrr", text)
+    made = Checkout.with_files(tmp_path_factory.mktemp("checkout"), "mechanisms", {"rrr": text})
     work = made.folder / "work"
     work.mkdir()
     (work / "robot.toml").write_text(toml_text(robot))
