@@ -191,6 +191,9 @@ class LimbMechanism:
     of : str
         Name of the mechanism whose robot files this is another description of: the same geometry, other source errors.
         Its models are named after that mechanism.
+    drawing : mapping
+        Tables of a robot file [mm, deg] of an ordinary machine, with its workspace: what shared tests and reports look
+        at where none of the package's examples is of this mechanism.
     """
 
     name: str
@@ -226,6 +229,7 @@ class LimbMechanism:
     limb_inertia: sp.Expr = field(default_factory=lambda: sp.Integer(0))
     scalings: Mapping[str, Mapping[str, sp.Expr]] = field(default_factory=dict)
     of: str = ""
+    drawing: Mapping[str, Mapping[str, object]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         if stray := [q.name for q in self.platform if q.name not in COORDINATES]:

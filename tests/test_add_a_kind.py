@@ -4,116 +4,133 @@ from __future__ import annotations
 
 import dataclasses
 import json
-import re
 import shutil
+import sys
 from dataclasses import dataclass
-from pathlib import Path
 
+import numpy as np
 import pytest
 from conftest import PROTOTYPE, scattered, wanted
 
 from deltacal_gen.files.robot import robot_from_dict, robot_to_toml
 from deltacal_gen.files.writing import write_recording
-from tests.copies import ROOT, called, commanded, copied
+from tests.copies import Checkout, printed, untried
 
-PAGE = ROOT / "src" / "deltacal_gen" / "manual" / "add-measurement.md"
-POSES, FITTED, NOISE = 130, 100, 0.005
+POSES, FITTED, NOISE, OPTIMAL = 130, 100, 0.005, 30
+WITH_TRUTH = ("--truth", "truth.toml", "--noise", NOISE)
+MEASURING = f"{sys.executable} -m deltacal_gen.app.cli simulate robot.toml {{poses}} -o {{readings}}"
+MODEL = ("--model", "24")
+FEW = ("--trials", 10, "--noise", NOISE, "--workers", 1)
+LINES: list[tuple[object, ...]] = [
+    ("identify", "robot.toml", "seen.csv", "-o", "result.json", "--report", "result.html"),
+    ("validate", "result.json", "new.csv", "--json"),
+    ("diagnose", "robot.toml", "seen.csv", "-o", "diagnosis.json"),
+    ("predict", "diagnosis.json", "blank.csv", "-o", "told.csv"),
+    ("certificate", "result.json", "new.csv", "-o", "certificate.html"),
+    ("compare", "result.json", "result.json"),
+    ("next", "diagnosis.json", "-o", "next.csv"),
+    ("matrix", "robot.toml", "seen.csv", *MODEL, "-o", "H.npz"),
+    ("compensate", "diagnosis.json", "--export", "c", "-o", "command.c"),
+]
+MANY = {"loop", "batch"}  # commands of the tests that take longer
+OF_OTHERS = {"derivation", "effects", "models"}  # those that list or show what no kind changes
+
+
+def planned(name: str) -> list[tuple[object, ...]]:
+    """Return lines that choose poses for a kind, simulate there, and say what they will give."""
+    return [
+        ("plan", "robot.toml", *MODEL, "--kind", name, "-o", "rings.csv"),
+        ("plan", "robot.toml", *MODEL, "--kind", name, "--optimal", OPTIMAL, "-o", "chosen.csv"),
+        ("simulate", "robot.toml", "chosen.csv", "-o", "taken.csv", *WITH_TRUTH),
+        ("study", "robot.toml", "--plan", "chosen.csv", *MODEL, *FEW, "-o", "study.json"),
+    ]
 
 
 @dataclass(frozen=True)
 class Added:
-    """A kind's file, its columns, and the smallest difference that its noise makes in them."""
+    """The columns of a kind, and the smallest difference that its noise makes in them."""
 
-    text: str
     columns: tuple[str, ...]
     least: float
 
 
-def in_manual(name: str) -> str:
-    """Return the file of a kind that the manual prints."""
-    blocks = re.findall(r"```python\n(.*?)```", PAGE.read_text(encoding="utf-8"), re.S)
-    (text,) = (block for block in blocks if f'name="{name}"' in block)
-    return str(text)
-
-
 ADDED = {
-    "probe": Added(in_manual("probe"), ("probe_mm",), NOISE),
-    "level": Added(in_manual("level"), ("lean_x_deg", "lean_y_deg"), NOISE / 100.0 * 57.3),
+    "probe": Added(("probe_mm",), NOISE),
+    "level": Added(("lean_x_deg", "lean_y_deg"), NOISE / 100.0 * 57.3),
 }
 
 
 @pytest.fixture(scope="module", params=["probe", pytest.param("level", marks=pytest.mark.thorough)])
-def added(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> tuple[str, Path]:
-    """Return the name of a kind, and a copy of the sources to which its file was added."""
-    name, folder = str(request.param), tmp_path_factory.mktemp("sources")
-    copied(folder, "derive", "templates", "generated", "src")
-    copied(folder, "tests", without=("benchmarks", "proof", "claims", "frozen"))
-    shutil.copy(ROOT / "pyproject.toml", folder)
-    (folder / "derive" / "measurements" / f"{name}.py").write_text(ADDED[name].text, encoding="utf-8")
-    python(folder, "-m", "derive", name)
-    return name, folder
-
-
-def paths(folder: Path) -> list[Path]:
-    return [folder, folder / "generated", folder / "src"]
-
-
-def python(folder: Path, *arguments: object) -> str:
-    return called(folder, *arguments, paths=paths(folder))
-
-
-def deltacal(folder: Path, *lines: tuple[object, ...]) -> list[str]:
-    return commanded(folder, *lines, paths=paths(folder))
-
-
-def test_every_shared_test_takes_it(added: tuple[str, Path]) -> None:
-    name, folder = added
-    said = python(folder, "-m", "pytest", "-q", "-n0", "-k", name, "tests/test_kinds.py")
-    assert int(re.search(r"(\d+) passed", said)[1]) >= 5  # type: ignore[index]
-
-
-def test_it_is_simulated_identified_diagnosed_predicted_and_validated(added: tuple[str, Path]) -> None:
-    name, folder = added
-    case, robot = ADDED[name], robot_from_dict(PROTOTYPE)
+def added(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Checkout:
+    """A copy of the sources to which the kinds' files were added, and readings of one that a simulation gives."""
+    name, robot = str(request.param), robot_from_dict(PROTOTYPE)
+    texts = {each: printed("add-measurement", each) for each in (name, *(ADDED.keys() - {name}))}
+    made = Checkout.with_files(tmp_path_factory.mktemp("sources"), "measurements", texts)
+    folder, case = made.folder, ADDED[name]
     (folder / "robot.toml").write_text(robot_to_toml(robot), encoding="utf-8")
     (folder / "truth.toml").write_text("[parameters]\ntheta_1 = 0.3\ntheta_2 = -0.2\ntheta_3 = 0.1\n", encoding="utf-8")
-    poses = wanted(scattered(robot, POSES, 1), sigma_mm=NOISE)
-    write_recording(poses, folder / "poses.csv")
+    write_recording(wanted(scattered(robot, POSES, 1), sigma_mm=NOISE), folder / "poses.csv")
     text = (folder / "poses.toml").read_text(encoding="utf-8")
     (folder / "poses.toml").write_text(text.replace('"position"', f'"{name}"'), encoding="utf-8")
-    noise = ("--noise", NOISE, "--seed", 1)
-    deltacal(folder, ("simulate", "robot.toml", "poses.csv", "-o", "read.csv", "--truth", "truth.toml", *noise))
+    made.deltacal(("simulate", "robot.toml", "poses.csv", "-o", "read.csv", *WITH_TRUTH, "--seed", 1))
     header, *rows = (folder / "read.csv").read_text(encoding="utf-8").splitlines()
-    assert set(case.columns) <= set(header.split(","))
-    for part, kept in (("seen", rows[:FITTED]), ("new", rows[FITTED:])):
+    blank = [",".join("" if c in case.columns else v for c, v in pairs(header, row)) for row in rows[FITTED:]]
+    for part, kept in (("seen", rows[:FITTED]), ("new", rows[FITTED:]), ("blank", blank)):
         (folder / f"{part}.csv").write_text("\n".join([header, *kept]) + "\n", encoding="utf-8")
         shutil.copy(folder / "read.toml", folder / f"{part}.toml")
-
-    blank = [",".join("" if c in case.columns else v for c, v in pairs(header, row)) for row in rows[FITTED:]]
-    (folder / "blank.csv").write_text("\n".join([header, *blank]) + "\n", encoding="utf-8")
-    shutil.copy(folder / "read.toml", folder / "blank.toml")
-    said = deltacal(
-        folder,
-        ("identify", "robot.toml", "seen.csv", "-o", "result.json", "--report", "result.html"),
-        ("validate", "result.json", "new.csv", "--json"),
-        ("diagnose", "robot.toml", "seen.csv", "-o", "diagnosis.json"),
-        ("predict", "diagnosis.json", "blank.csv", "-o", "told.csv"),
-    )
-    result = json.loads((folder / "result.json").read_text(encoding="utf-8"))
-    assert result["readings"]["kind"] == result["instrument"]["kind"] == name
-    assert result["readings"]["scalars"] == FITTED * len(case.columns)
-    assert json.loads(said[1])["rms_mm"] < 2 * NOISE
-    assert json.loads((folder / "diagnosis.json").read_text(encoding="utf-8"))["effects"] == []
-    told_header, *told = (folder / "told.csv").read_text(encoding="utf-8").splitlines()
-    for row, answer in zip(rows[FITTED:], told, strict=True):
-        was, now = dict(pairs(header, row)), dict(pairs(told_header, answer))
-        for column in case.columns:
-            assert abs(float(was[column]) - float(now[column])) < 5 * case.least
+    return made
 
 
 def pairs(header: str, row: str) -> list[tuple[str, str]]:
     """Return the cells of a row by their columns."""
     return list(zip(header.split(","), row.split(","), strict=True))
+
+
+def test_every_shared_test_takes_it(added: Checkout) -> None:
+    passed = added.passed()
+    for name in ADDED:
+        files = [test.partition("::")[0] for test in passed if name in test.partition("[")[2]]
+        assert files.count("tests/test_kinds.py") >= 6
+        assert "tests/test_derivation.py" in files
+
+
+@pytest.mark.thorough
+def test_what_runs_over_all_kinds_takes_it(added: Checkout) -> None:
+    assert "tests/test_derivation.py::test_a_report_is_complete" in added.all_passed()
+
+
+def test_every_command_takes_it(added: Checkout) -> None:
+    name, folder = added.name, added.folder
+    case, lines = ADDED[name], [*planned(name), *LINES]
+    assert untried(*lines) == MANY | OF_OTHERS
+    said = dict(zip((line[0] for line in lines), added.deltacal(*lines), strict=True))
+    assert {*case.columns} <= {*(folder / "taken.csv").read_text(encoding="utf-8").splitlines()[0].split(",")}
+    assert json.loads((folder / "study.json").read_text(encoding="utf-8"))["kind"] == name
+    result = json.loads((folder / "result.json").read_text(encoding="utf-8"))
+    assert result["readings"]["kind"] == result["instrument"]["kind"] == name
+    assert result["readings"]["scalars"] == FITTED * len(case.columns)
+    assert np.load(folder / "H.npz")["H"].shape[0] == FITTED * len(case.columns)
+    assert json.loads(said["validate"])["rms_mm"] < 2 * NOISE
+    assert json.loads((folder / "diagnosis.json").read_text(encoding="utf-8"))["effects"] == []
+    read, told = ((folder / file).read_text(encoding="utf-8").splitlines() for file in ("new.csv", "told.csv"))
+    for row, answer in zip(read[1:], told[1:], strict=True):
+        was, now = dict(pairs(read[0], row)), dict(pairs(told[0], answer))
+        for column in case.columns:
+            assert abs(float(was[column]) - float(now[column])) < 5 * case.least
+
+
+@pytest.mark.thorough
+def test_many_recordings_of_it_are_taken(added: Checkout) -> None:
+    cell = added.folder / "hall" / "machine"
+    cell.mkdir(parents=True)
+    for file in ("robot.toml", "seen.csv", "seen.toml"):
+        shutil.copy(added.folder / file, cell)
+    for end in ("csv", "toml"):
+        shutil.copy(added.folder / f"seen.{end}", added.folder / f"grown.{end}")
+    measuring = f"{MEASURING} --truth truth.toml --noise {NOISE}"
+    loop = ("loop", "robot.toml", "grown.csv", "--measure", measuring, "--budget", 20, "-o", "last.json")
+    added.deltacal(("batch", "hall", "-o", "run", "--do", "identify", "--workers", 1), loop)
+    assert json.loads((added.folder / "last.json").read_text(encoding="utf-8"))["effects"] == []
 
 
 def test_what_cannot_be_meant_is_refused() -> None:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import ctypes
 import json
 import re
 import shutil
+import subprocess
+import sys
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,87 +16,99 @@ from conftest import scattered, wanted
 
 from deltacal_gen.files.robot import robot_to_toml
 from deltacal_gen.files.writing import write_recording
-from deltacal_gen.pages import manual
-from tests.copies import ROOT, called, commanded, copied
+from tests.copies import Checkout, printed, untried
 from tests.left_out import channels, machine
+from tests.test_compensation_effects import At
 
-SHARED = ("test_states", "test_physics", "test_compensation_effects")  # tests over all effects
-LIMB = 2
+COMPILER = shutil.which("cc")
+LIMB, NOISE = 2, 0.005
+WITH_TRUTH = ("--truth", "truth.toml", "--noise", NOISE)
+GEOMETRY_ALONE = {"plan", "matrix", "models"}  # commands that no effect changes
+SUSPECT = ("--suspect", "truth.toml", "--trials", 10, "--diagnoses", 1, "--workers", 1)
+LINES: list[tuple[object, ...]] = [
+    ("effects", "--json"),
+    ("simulate", "robot.toml", "poses.csv", "-o", "read.csv", *WITH_TRUTH, "--seed", 1),
+    ("simulate", "robot.toml", "other.csv", "-o", "unseen.csv", *WITH_TRUTH, "--seed", 2),
+    ("diagnose", "robot.toml", "read.csv", "-o", "found.json", "--report", "found.html"),
+    ("identify", "robot.toml", "read.csv", "--physics", "found.json", "-o", "held.json"),
+    ("identify", "robot.toml", "read.csv", "--model", "18", "-o", "bare.json"),
+    ("validate", "found.json", "unseen.csv", "--json"),
+    ("validate", "held.json", "unseen.csv", "--json"),
+    ("validate", "bare.json", "unseen.csv", "--json"),
+    ("predict", "found.json", "unseen.csv", "-o", "told.csv"),
+    ("certificate", "found.json", "unseen.csv", "-o", "certificate.html"),
+    ("compare", "bare.json", "held.json"),
+    ("next", "found.json", "-o", "next.csv"),
+    ("study", "robot.toml", "--plan", "other.csv", "--model", "18", "--noise", NOISE, *SUSPECT, "-o", "study.json"),
+    ("compensate", "found.json", "--export", "c", "-o", "command.c"),
+]
+MANY = {"derivation", "loop", "batch"}  # those of the tests that take longer
+
+
+JOINTS = ("q1_deg", "q2_deg", "q3_deg")
 
 
 @dataclass(frozen=True)
 class Added:
-    """An effect's file, and the truth in which it is concealed, in the units of files; `columns` it depends on."""
+    """The truth in which an effect is concealed, in the units of files, and the `columns` it depends on."""
 
-    text: str
     truth: dict[str, float]
     columns: tuple[str, ...]
 
 
-def in_manual(name: str) -> str:
-    """Return the file of an effect that the manual prints."""
-    page = (manual.folder() / "add-effect.md").read_text(encoding="utf-8")
-    blocks = re.findall(r"```python.*?\n(.*?)```", page, re.S)
-    (text,) = (block for block in blocks if f'name="{name}"' in block)
-    return str(text)
-
-
 ADDED = {
-    "warm_compliance": Added(in_manual("warm_compliance"), {"softening": 0.002}, ("temp", "payload")),
-    "preload": Added(in_manual("preload"), {"compliance": 0.02}, ("payload",)),
+    "warm_compliance": Added({"softening": 0.002}, ("temp", "payload")),
+    "preload": Added({"compliance": 0.02}, ("payload",)),
 }
 
 
-@pytest.fixture(scope="module", params=["warm_compliance", pytest.param("preload", marks=pytest.mark.thorough)])
-def added(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> tuple[str, Path]:
-    """Return the name of an effect, and a copy of the sources to which its file was added."""
-    name, folder = str(request.param), tmp_path_factory.mktemp("sources")
-    copied(folder, "derive", "templates", "generated", "tests", without=("benchmarks", "proof", "claims", "frozen"))
-    shutil.copy(ROOT / "pyproject.toml", folder)
-    (folder / "derive" / "effects" / f"{name}.py").write_text(ADDED[name].text, encoding="utf-8")
-    python(folder, "-m", "derive", name)
-    return name, folder
+@pytest.fixture(scope="module", params=[pytest.param("warm_compliance", marks=pytest.mark.thorough), "preload"])
+def added(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Checkout:
+    """A copy of the sources to which an effect's file was added, with a machine that has it, and rows to measure."""
+    name, case, robot = str(request.param), ADDED[request.param], machine()
+    text = printed("add-effect", name)
+    made = Checkout.with_files(tmp_path_factory.mktemp("sources"), "effects", {name: text})
+    (made.folder / "robot.toml").write_text(robot_to_toml(robot), encoding="utf-8")
+    values = "\n".join(f"{key} = {value}" for key, value in case.truth.items())
+    truth = f'[[effects]]\nname = "{name}"\nlimb = {LIMB}\n{values}\n'
+    (made.folder / "truth.toml").write_text(truth, encoding="utf-8")
+    for n, seed, file in ((80, 1, "poses.csv"), (40, 2, "other.csv")):
+        rows = wanted(scattered(robot, n, seed), frame="robot", channels=channels(n, *case.columns, seed=4 + seed))
+        write_recording(rows, made.folder / file)
+    return made
 
 
-def paths(folder: Path) -> list[Path]:
-    return [folder, folder / "generated", ROOT / "src"]
-
-
-def python(folder: Path, *arguments: object) -> str:
-    return called(folder, *arguments, paths=paths(folder))
-
-
-def deltacal(folder: Path, *lines: tuple[object, ...]) -> list[str]:
-    return commanded(folder, *lines, paths=paths(folder))
-
-
-def written(path: Path, columns: dict[str, np.ndarray]) -> None:
+def written(made: Checkout, name: str, columns: dict[str, np.ndarray]) -> None:
     """Write columns as a CSV."""
     values = np.column_stack(list(columns.values()))
-    np.savetxt(path, values, fmt="%.12g", delimiter=",", header=",".join(columns), comments="")
+    np.savetxt(made.folder / name, values, fmt="%.12g", delimiter=",", header=",".join(columns), comments="")
 
 
-def test_every_shared_test_takes_it(added: tuple[str, Path]) -> None:
-    name, folder = added
-    said = python(folder, "-m", "pytest", "-q", "-n0", "-k", name, *(f"tests/{test}.py" for test in SHARED))
-    assert int(re.search(r"(\d+) passed", said)[1]) >= 5  # type: ignore[index]
+def test_every_shared_test_takes_it(added: Checkout) -> None:
+    passed = {test.partition("[")[0].partition("::")[2] for test in added.passed()}
+    assert {
+        "test_an_effect_moves_by_what_was_computed_by_hand",
+        "test_columns_are_the_derivative_of_the_exact_equilibrium",
+        "test_the_command_brings_the_machine_with_the_effect_to_the_target",
+    } <= passed
 
 
-def test_it_is_listed_simulated_diagnosed_and_compensated(added: tuple[str, Path]) -> None:
-    name, folder = added
-    case, robot = ADDED[name], machine()
-    (folder / "robot.toml").write_text(robot_to_toml(robot), encoding="utf-8")
-    values = "\n".join(f"{key} = {value}" for key, value in case.truth.items())
-    (folder / "truth.toml").write_text(f'[[effects]]\nname = "{name}"\nlimb = {LIMB}\n{values}\n', encoding="utf-8")
-    poses = wanted(scattered(robot, 80, 1), frame="robot", channels=channels(80, *case.columns))
-    write_recording(poses, folder / "poses.csv")
-    noise = ("--noise", 0.005, "--seed", 1)
-    said = deltacal(
-        folder,
-        ("effects", "--json"),
-        ("simulate", "robot.toml", "poses.csv", "-o", "read.csv", "--truth", "truth.toml", *noise),
-        ("diagnose", "robot.toml", "read.csv", "-o", "found.json", "--report", "found.html"),
-    )
+@pytest.mark.thorough
+def test_what_runs_over_all_effects_takes_it(added: Checkout) -> None:
+    assert "tests/test_states.py::test_references_hold_in_c" in added.all_passed()
+
+
+@pytest.mark.thorough
+def test_its_derivation_is_written(added: Checkout) -> None:
+    added.deltacal(("derivation", added.name, "-o", "page.html"))
+    assert added.name in (added.folder / "page.html").read_text(encoding="utf-8")
+
+
+def test_every_command_takes_it(added: Checkout) -> None:
+    """From a concealed effect to what is told of readings that nobody has seen."""
+    name, folder, case = added.name, added.folder, ADDED[added.name]
+    assert untried(*LINES) == MANY | GEOMETRY_ALONE
+    said = added.deltacal(*LINES)
     assert name in {e["effect"] for e in json.loads(said[0])}
     found = json.loads((folder / "found.json").read_text(encoding="utf-8"))
     assert [(e["name"], e["limbs"]) for e in found["effects"]] == [(name, [LIMB])]
@@ -102,21 +116,70 @@ def test_it_is_listed_simulated_diagnosed_and_compensated(added: tuple[str, Path
         assert abs(p["value"] - case.truth[p["name"]]) < 5 * p["std"]
     assert found["location"]["channels"]
     assert "nothing that was recorded" not in found["location"]["text"]
+    with_it, held, without = (json.loads(text)["rms_mm"] for text in said[6:9])
+    assert max(with_it, held) < 2.5 * NOISE < without / 2
+    told, read = (np.genfromtxt(folder / file, delimiter=",", names=True) for file in ("told.csv", "unseen.csv"))
+    missed = np.column_stack([told[f"{a}_mm"] - read[f"{a}_mm"] for a in "xyz"])
+    assert np.sqrt(np.mean(missed**2)) < 2.5 * NOISE
+    studied = json.loads((folder / "study.json").read_text(encoding="utf-8"))["suspects"]
+    (tried,) = (s for s in studied if s["effects"])
+    assert (tried["effects"], tried["named_right"]) == ([{"name": name, "limbs": [LIMB]}], 1)
 
-    targets = scattered(robot, 20, 3)
+
+def test_the_true_machine_sent_by_it_stands_where_it_was_wanted(added: Checkout) -> None:
+    """By the commands of a file of targets, and by those of the exported C, but for what it states."""
+    name, folder, case = added.name, added.folder, ADDED[added.name]
+    if not (folder / "command.c").exists():
+        added.deltacal(*(LINES[k] for k in (1, 3, -1)))
+    targets = scattered(machine(), 20, 3)
     now = {k: v for k, v in channels(20, *case.columns, seed=9).items() if not k.startswith("time")}
-    written(folder / "targets.csv", dict(zip(("x_mm", "y_mm", "z_mm"), targets.T, strict=True)) | now)
-    deltacal(
-        folder,
-        ("compensate", "found.json", "targets.csv", "-o", "joints.csv"),
-        ("compensate", "found.json", "--export", "c", "-o", "command.c"),
-    )
-    # the true machine, sent there, stands where it was wanted
+    written(added, "targets.csv", dict(zip(("x_mm", "y_mm", "z_mm"), targets.T, strict=True)) | now)
+    added.deltacal(("compensate", "found.json", "targets.csv", "-o", "joints.csv"))
     joints = np.genfromtxt(folder / "joints.csv", delimiter=",", names=True)
-    written(folder / "sent.csv", {q: joints[q] for q in ("q1_deg", "q2_deg", "q3_deg")} | now)
+    sent = [np.column_stack([joints[q] for q in JOINTS])]
+    text = (folder / "command.c").read_text(encoding="utf-8")
+    assert f"{name} at joint {LIMB}" in text
+    if COMPILER:
+        sent.append(commanded_in_c(added, targets, now))
+    every = dict(zip(JOINTS, np.vstack(sent).T, strict=True))
+    written(added, "sent.csv", every | {k: np.tile(v, len(sent)) for k, v in now.items()})
     (folder / "sent.toml").write_text('[measurement]\nkind = "position"\nframe = "robot"\n', encoding="utf-8")
-    deltacal(folder, ("simulate", "robot.toml", "sent.csv", "-o", "stood.csv", "--truth", "truth.toml"))
+    added.deltacal(("simulate", "robot.toml", "sent.csv", "-o", "stood.csv", "--truth", "truth.toml"))
     stood = np.genfromtxt(folder / "stood.csv", delimiter=",", names=True)
-    error = np.column_stack([stood[f"{a}_mm"] for a in "xyz"]) - targets
-    assert np.sqrt(np.mean(np.sum(error**2, axis=1))) < 0.01
-    assert f"{name} at joint {LIMB}" in (folder / "command.c").read_text(encoding="utf-8")
+    error = np.column_stack([stood[f"{a}_mm"] for a in "xyz"]) - np.tile(targets, (len(sent), 1))
+    assert np.sqrt(np.mean(np.sum(error[:20] ** 2, axis=1))) < 0.01
+    stated = float(re.findall(r"Error left  (\S+) mm", text)[-1])
+    assert np.linalg.norm(error, axis=1).max() < stated + 0.03  # and what the readings leave open
+
+
+@pytest.mark.thorough
+def test_many_recordings_of_it_are_diagnosed(added: Checkout) -> None:
+    cell = added.folder / "hall" / "press"
+    cell.mkdir(parents=True)
+    shutil.copy(added.folder / "robot.toml", cell)
+    measuring = f"{sys.executable} -m deltacal_gen.app.cli simulate robot.toml {{poses}} -o {{readings}}"
+    added.deltacal(
+        ("simulate", "robot.toml", "poses.csv", "-o", cell / "read.csv", *WITH_TRUTH, "--seed", 1),
+        ("simulate", "robot.toml", "poses.csv", "-o", "grown.csv", *WITH_TRUTH, "--seed", 1),
+        ("batch", "hall", "-o", "run", "--workers", 1),
+        ("loop", "robot.toml", "grown.csv", "--measure", measuring, "--budget", 20, "-o", "last.json"),
+    )
+    (task,) = (added.folder / "run" / "tasks").rglob("*.json")
+    found, last = (json.loads(file.read_text(encoding="utf-8")) for file in (task, added.folder / "last.json"))
+    for effects in (found["result"]["effects"], last["effects"]):
+        assert [(e["name"], e["limbs"]) for e in effects] == [(added.name, [LIMB])]
+
+
+def commanded_in_c(made: Checkout, targets: np.ndarray, now: dict[str, np.ndarray]) -> np.ndarray:
+    """Return the joints (N, 3) [deg] that the exported C commands."""
+    library = made.folder / "command.so"
+    flags = ("-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-O2", "-shared", "-fPIC")
+    subprocess.run([str(COMPILER), *flags, "-o", str(library), str(made.folder / "command.c"), "-lm"], check=True)
+    function, rows = ctypes.CDLL(str(library)).deltacal_command, []
+    none = np.zeros(len(targets))
+    for target, warm, payload in zip(targets, now.get("temp_C", none + 20), now.get("payload_kg", none), strict=True):
+        out = (ctypes.c_double * 3)()
+        at = At(warm, payload, 0.0, (ctypes.c_double * 3)())
+        assert function((ctypes.c_double * 3)(*target), ctypes.byref(at), out) == 0
+        rows.append(list(out))
+    return np.array(rows)

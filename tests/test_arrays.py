@@ -22,7 +22,7 @@ from deltacal_gen.identification.identification import identify
 from deltacal_gen.machine.registry import load_mechanism, mechanism_names, mechanism_of
 from deltacal_gen.use.compensation import Compensator
 from tests.conftest import PROTOTYPE, plausible, rings
-from tests.test_every_mechanism import example_of
+from tests.drawn import example_of
 
 MASSES = {"proximal": 1.2, "proximal_com": 0.4, "distal_rod": 0.15, "platform": 0.8}
 SIGMA = 0.005  # mm

@@ -14,11 +14,11 @@ import numpy as np
 import pytest
 
 from deltacal_gen.app import cli
-from deltacal_gen.app.demonstration import example
 from deltacal_gen.files.robot import for_model, read_robot
 from deltacal_gen.machine.registry import load_mechanism, mechanism_names, mechanism_of
 from deltacal_gen.machine.rotation import align
 from deltacal_gen.physics.simulation import truth_names
+from tests.drawn import example_of
 
 NOISE = 0.003  # mm
 COMPILER = shutil.which("cc")
@@ -57,11 +57,6 @@ def off_target(reached: np.ndarray, wanted: np.ndarray) -> float:
         turn = align(wanted - wanted.mean(axis=0), reached - reached.mean(axis=0))
         wanted = (wanted - wanted.mean(axis=0)) @ turn.T + reached.mean(axis=0)
     return float(np.abs(reached - wanted).max())
-
-
-def example_of(name: str) -> Path:
-    """The folder of the example that a mechanism describes: of its machine."""
-    return example(load_mechanism(name).machine)
 
 
 @pytest.mark.parametrize("name", mechanism_names())

@@ -116,9 +116,9 @@ def test_sensitivities_are_those_of_the_implicit_function_theorem(name: str, mac
 def test_loads_are_those_of_virtual_work(name: str, machines: dict[str, Machine]) -> None:
     machine, right = machines[name], sides(laws.virtual_work(True))
     mechanism, spec = machine.mechanism, machine.spec
-    masses = {str(q.symbol): float(rng.uniform(0.2, 2.0)) for q in spec.masses}
+    masses = {q.name: float(rng.uniform(0.2, 2.0)) for q in spec.masses}
     payload, weighed = 1.7, mechanism._masses(masses)
-    put = {sp.Symbol(n, real=True): v for n, v in (*masses.items(), ("payload", payload))}
+    put = {q.symbol: masses[q.name] for q in spec.masses} | {sp.Symbol("payload", real=True): payload}
     every = [*spec.limb_weights * spec.limbs, *spec.platform_weights]
     G = np.concatenate([float(sp.sympify(w.mass).xreplace(put)) * GRAVITY for w in every])[:, None]
     loads = mechanism.loads(machine.x, machine.q, machine.tool, machine.rows, masses, GRAVITY, payload)

@@ -15,7 +15,7 @@ from deltacal_gen.files.robot import Robot, read_robot
 from deltacal_gen.machine.limbs import _solved
 from deltacal_gen.machine.registry import POSE, SOLVED, Machine, mechanism_names, mechanism_of
 from derive.review.checks import Poses, spread
-from tests.test_every_mechanism import example_of
+from tests.drawn import example_of
 
 SMALL = 1e-6  # of a step [mm, rad]: its square is what first order leaves
 

@@ -36,7 +36,7 @@ def poses(name: str, kind: str, folder: Path) -> tuple[dc.Robot, Path]:
 
 
 @pytest.mark.parametrize("kind", ["position", "pose", "gauge", "height", "encoder"])
-@pytest.mark.parametrize("name", machines.MACHINES)
+@pytest.mark.parametrize("name", machines.EVERY)
 def test_its_readings_are_identified_and_predicted(name: str, kind: str, tmp_path: Path) -> None:
     robot, path = poses(name, kind, tmp_path)
     made = dc.simulate(robot, path, noise=NOISE, seed=3)
@@ -47,7 +47,7 @@ def test_its_readings_are_identified_and_predicted(name: str, kind: str, tmp_pat
     assert np.sqrt(np.nanmean(off**2)) < 3 * NOISE
 
 
-@pytest.mark.parametrize("name", machines.MACHINES)
+@pytest.mark.parametrize("name", machines.EVERY)
 def test_play_shows_behind_a_second_encoder(name: str, tmp_path: Path) -> None:
     robot, path = poses(name, "encoder", tmp_path)
     truth = tmp_path / "truth.toml"

@@ -1,6 +1,6 @@
 """Kernels by `straight` against the same text by Numba's own njit, function by function, bit for bit up to rounding.
 
-Run as a program, ``python tests/test_plain_jit.py NAME FILE.npz``, it writes what the kernels of a machine compute.
+Run as a program, ``python -m tests.test_plain_jit NAME FILE.npz``, it writes what the kernels of a machine compute.
 """
 
 from __future__ import annotations
@@ -20,7 +20,9 @@ from deltacal_gen.files.robot import read_robot
 from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.machine.limbs import Limbs
 from deltacal_gen.machine.registry import load_mechanism, mechanism_names, mechanism_of
+from tests.drawn import example_of
 
+ROOT = Path(__file__).resolve().parents[1]
 QUICK = "simplified_parallelogram"  # the smallest machine: the others take a minute each
 POSES = 11  # no multiple of the lanes that are written at once
 
@@ -44,12 +46,12 @@ def computed(name: str) -> dict[str, Any]:
     mechanism = load_mechanism(name)
     if not isinstance(mechanism, Limbs):
         return of_chain()
-    robot = read_robot(example(mechanism.machine) / "robot.toml")
+    robot = read_robot(example_of(name) / "robot.toml")
     rng, sizes = np.random.default_rng(3), [p.typical for p in mechanism.parameters]
     rows = mechanism.rows(robot, rng.standard_normal(len(sizes)) * sizes)
     kernels, servo, tool = mechanism.compiled, mechanism.servo, rng.standard_normal((1, 3))
     limbs, n_x, k = mechanism.limbs, len(mechanism.platform), kernels.constants(rows)
-    with (example(mechanism.machine) / "poses.csv").open() as file:
+    with (example_of(name) / "poses.csv").open() as file:
         poses = list(csv.DictReader(file))
     by_joints = "q1_deg" in poses[0]
     names = [f"q{i + 1}_deg" for i in range(limbs)] if by_joints else [f"{a}_mm" for a in mechanism.axes[:limbs]]
@@ -67,8 +69,9 @@ def computed(name: str) -> dict[str, Any]:
     width = rows.shape[2] - len(mechanism.geometry)
     found["S"], found["V"] = np.empty((n, n_x, limbs * width)), np.empty((n, n_x, limbs))
     kernels.sensitivity(x, q, tool, k, found["S"], found["V"], status)
-    found["simple"] = np.empty((n, kernels.SIMPLIFIED))
-    kernels.simplified_forward(q, tool, k, found["simple"], status)
+    if hasattr(kernels, "simplified_forward"):  # not where a command turns the platform
+        found["simple"] = np.empty((n, kernels.SIMPLIFIED))
+        kernels.simplified_forward(q, tool, k, found["simple"], status)
     if hasattr(kernels, "nominal_sensitivity"):
         n_e, positions = len(mechanism.errors) + len(mechanism.common), n_x - len(mechanism.turns)
         nominal = kernels.nominal_constants(rows)
@@ -95,7 +98,8 @@ def test_kernels_are_the_same_by_numba_alone(name: str, tmp_path: Path) -> None:
         environment = {**os.environ, "DELTACAL_PLAIN_JIT": plain}
         if plain:  # beside the kernels it would take the place of the code that all others use
             environment["NUMBA_CACHE_DIR"] = str(tmp_path / "cache")
-        subprocess.run([sys.executable, __file__, name, str(out)], env=environment, check=True)
+        command = [sys.executable, "-m", "tests.test_plain_jit", name, str(out)]
+        subprocess.run(command, cwd=ROOT, env=environment, check=True)
         results.append(np.load(out))
     own, numba = results
     assert sorted(own) == sorted(numba)

@@ -23,13 +23,13 @@ from deltacal_gen.identification.together import deviance_of
 from deltacal_gen.machine.registry import load_mechanism
 from deltacal_gen.physics.terms import Term
 from tests.benchmarks.concealed_cases import generate
-from tests.benchmarks.concealed_machines import MACHINES, kinds
+from tests.benchmarks.concealed_machines import EVERY, kinds
 from tests.conftest import plausible
 from tests.left_out import DELTA, SIGMA, channels, diagnosis, effect, machine, named, record
 
 ROBOT = machine()
 N = 120
-READ = [(m, k) for m in MACHINES for k in ("position", "pose") if k in kinds(load_mechanism(m))]
+READ = [(m, k) for m in EVERY for k in ("position", "pose") if k in kinds(load_mechanism(m))]
 EARLY, LATE = 40, 80  # rows after which something happens
 
 

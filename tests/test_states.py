@@ -171,8 +171,10 @@ def test_references_hold_in_c(tmp_path: Path) -> None:
         assert function(*given) == pytest.approx(moved[0], rel=1e-12, abs=1e-15), name
 
 
-def test_one_effect_is_any_periodic_function_of_the_turn() -> None:
-    assert [name for name in effect_names() if load_effect(name).PERIODIC] == ["transmission_eccentricity"]
+def test_effects_that_are_any_periodic_function_of_the_turn_are_told_by_what_they_declare() -> None:
+    periodic = [name for name in effect_names() if load_effect(name).PERIODIC]
+    assert periodic == [name for name in effect_names() if declared(name).periodic]
+    assert "transmission_eccentricity" in periodic
     other = dataclasses.replace(declared("transmission_eccentricity"), name="other", source="")
     assert other.periodic
     twice = dataclasses.replace(other, targets={"joint": 2 * other.targets["joint"]}, tests=other.tests)

@@ -9,10 +9,12 @@ from importlib import resources
 from pathlib import Path
 
 from deltacal_gen.errors import UsageError
-from deltacal_gen.files.robot import Robot, for_model, read_robot
+from deltacal_gen.files.robot import Robot, for_model, read_robot, robot_from_dict
 from deltacal_gen.machine.registry import load_mechanism, mechanism_names, mechanism_of
 from deltacal_gen.physics.parts import lacking
 from deltacal_gen.physics.terms import effect_names
+from derive import registry
+from derive.spec import LimbMechanism
 
 
 @dataclass(frozen=True)
@@ -70,9 +72,9 @@ def _models(mechanism: str) -> tuple[str, ...]:
 
 @cache
 def example(mechanism: str) -> Robot | None:
-    """Return the machine of an example's robot file as a mechanism describes it, or None where there is no example."""
-    tables = importlib.import_module(f"deltacal_kernels.{mechanism}.parameters")
-    machine = getattr(tables, "MACHINE", mechanism)
+    """Return a machine as a mechanism describes it: an example's, else that of the mechanism's `drawing`, or None."""
+    kernels = importlib.import_module(f"deltacal_kernels.{mechanism}.parameters")
+    machine = getattr(kernels, "MACHINE", mechanism)
     folder = Path(str(resources.files("deltacal_gen") / "examples"))
     for file in sorted(folder.glob("*/robot.toml"), key=lambda f: (f.parent.name != machine, f.parent.name)):
         robot = read_robot(file)
@@ -80,7 +82,11 @@ def example(mechanism: str) -> Robot | None:
             return robot
         if robot.mechanism == machine:
             return for_model(robot, next(iter(load_mechanism(mechanism).models)))
-    return None
+    spec = registry.mechanism(machine)
+    if not isinstance(spec, LimbMechanism) or not spec.drawing:
+        return None
+    robot = robot_from_dict({"robot": {"name": machine, "mechanism": machine}, **spec.drawing})
+    return robot if machine == mechanism else for_model(robot, next(iter(load_mechanism(mechanism).models)))
 
 
 def applies(effect: str, mechanism: str) -> list[str]:

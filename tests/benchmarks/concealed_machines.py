@@ -3,24 +3,25 @@
 The delta is drawn from sizes of its own; any other machine is the package's example of it in another size, with parts
 that are not quite as long. Parts weigh what their size suggests.
 
-Public: `MACHINES`, `draw`, `ordinary_errors`, `joints_of_poses`, `kinds`, `shown`.
+Public: `MACHINES`, `EVERY`, `draw`, `ordinary_errors`, `joints_of_poses`, `kinds`, `shown`.
 """
 
 from __future__ import annotations
 
+import dataclasses
 import functools
 from typing import Any
 
 import numpy as np
 
-from deltacal_gen.app.demonstration import example
 from deltacal_gen.files.robot import Robot, read_robot, robot_from_dict, robot_to_dict
 from deltacal_gen.identification.accuracy import turned
-from deltacal_gen.machine.registry import Machine, mechanism_of
+from deltacal_gen.machine.registry import Machine, mechanism_names, mechanism_of
 from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.channels import Channels
 from deltacal_gen.physics.terms import effect_names, load_effect
 from deltacal_gen.units import DEG
+from tests.drawn import example_of
 
 Array = np.ndarray
 MACHINES = (
@@ -33,6 +34,7 @@ MACHINES = (
     "robotennis",
     "serial",
 )
+EVERY = (*MACHINES, *(name for name in mechanism_names() if name not in MACHINES))  # no case is drawn of the others
 TYPICAL = {"theta": 0.05 * DEG, "length": 0.1, "angle": 0.03 * DEG}  # of machined parts
 SMALL = 0.3  # of the typical errors of the other machines, which are those before any assembly
 SWING = 80 * DEG  # to which the joints of a chain are turned either way
@@ -64,7 +66,7 @@ def draw(machine: str, rng: np.random.Generator) -> Robot:
 
 
 def _as_example(machine: str, s: float, rng: np.random.Generator) -> Robot:
-    robot = read_robot(example(machine) / "robot.toml")
+    robot = dataclasses.replace(read_robot(example_of(machine) / "robot.toml"), mechanism=machine, tolerance={})
     mechanism, tables = mechanism_of(robot), robot_to_dict(robot)
     for key in mechanism.geometry if not robot.links else ():
         if key.unit == "mm" and key.table == "geometry":
@@ -76,7 +78,6 @@ def _as_example(machine: str, s: float, rng: np.random.Generator) -> Robot:
         tables["workspace"][key] *= s
     if "limits_mm" in tables.get("joints", ()):
         tables["joints"]["limits_mm"] = (s * np.asarray(tables["joints"]["limits_mm"])).tolist()
-    tables.pop("tolerance", None)
     if not robot.links:
         tables["masses"] = {
             "proximal": round(float(1.2 * s * rng.uniform(0.7, 1.4)), 3),

@@ -25,6 +25,7 @@ from deltacal_gen.machine.backend import JOINTS, Backend, using, working
 from deltacal_gen.machine.registry import load_mechanism, mechanism_names, mechanism_of
 from deltacal_gen.machine.rotation import cayley_matrix, cayley_vector
 from deltacal_gen.use.compensation import Compensator
+from tests.drawn import example_of
 
 from . import by_hand, by_hand_chain, by_hand_numba
 from .contenders import (
@@ -200,12 +201,9 @@ def forward(n: int) -> Work:
 def every_mechanism(n: int, *, name: str, derivatives: bool) -> Work:
     """Exact poses of a mechanism's example with errors, or their derivatives, beside the package's own plain NumPy."""
     mechanism = load_mechanism(name)
-    robot = dataclasses.replace(
-        read_robot(example(f"{mechanism.machine}/robot.toml")), mechanism=name, errors={}, tolerance={}
-    )
-    given = read_recording(
-        example(f"{mechanism.machine}/poses.csv"), mechanism, need_measured=False, allow_targets=True
-    )
+    drawn = read_robot(example_of(name) / "robot.toml")
+    robot = dataclasses.replace(drawn, mechanism=name, errors={}, tolerance={})
+    given = read_recording(example_of(name) / "poses.csv", mechanism, need_measured=False, allow_targets=True)
     rng, q = np.random.default_rng(8), given.joints
     if given.targets is not None:
         q, _, _ = mechanism.inverse(given.targets, np.zeros(3), mechanism.rows(robot))

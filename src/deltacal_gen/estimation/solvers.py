@@ -21,6 +21,7 @@ from deltacal_gen.machine.registry import Array
 
 BLOCK = 1024  # rows of a tall matrix that are factored at once
 WEAKEST = 1e-6  # of the largest singular value: below it a direction is seen through finite errors at most
+UNSEEN = 1e-6  # of ordinary errors by the noise: what is seen so little is not seen
 
 
 @dataclass(frozen=True, eq=False)
@@ -182,7 +183,10 @@ def _kept(s: Array, keep: np.ndarray, words: str) -> tuple[Array, Array, str]:
 
 @dataclass(frozen=True)
 class LeastSquares:
-    """Least squares of minimum norm: directions below `rcond` of the largest singular value stay at nominal."""
+    """Least squares of minimum norm: directions below `rcond` of the largest singular value stay at nominal.
+
+    So do those that no reading sees at all, where the largest is but rounding: noise would move them without end.
+    """
 
     rcond: float = WEAKEST
 
@@ -195,7 +199,7 @@ class LeastSquares:
         """See `Solver`."""
 
         def rule(s: Array, c: Array, rest: float) -> tuple[Array, Array, str]:
-            keep = s > self.rcond * s[0] if len(s) else s > 0
+            keep = s > max(self.rcond * s[0], UNSEEN) if len(s) else s > 0
             return _kept(s, keep, f"least squares, {int(keep.sum())} of {len(s)} directions")
 
         return _factored(A, b, rule)

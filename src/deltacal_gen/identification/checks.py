@@ -178,8 +178,9 @@ def plausible(first: Fit) -> None:
 def _read_at_all(first: Fit, off: float) -> None:
     """Raise an InputError where images are as far off as they are from one another: then they show nothing."""
     found, problem = first.problem.readings, first.problem
-    if first.instrument.unit(problem.recording.columns) is None:
-        return  # heights and lengths may be alike at all poses: these are compared with what the poses spread over
+    name, _ = first.instrument.unit(problem.recording.columns) or ("mm", 1.0)
+    if name != "px":
+        return  # heights, lengths and leans may be alike at all poses: what the poses spread over is what counts
     spread = first.instrument.scale * float(np.linalg.norm(np.nanstd(found.values, axis=0)))
     if off > NOTHING * spread > 0:
         raise InputError(
