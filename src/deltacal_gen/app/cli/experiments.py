@@ -229,8 +229,9 @@ def simulate(
 def _noise_told(done: Recording, noise: float) -> str | None:
     """Say in which unit noise was taken, where that is not mm alone."""
     from deltacal_gen.instrument.kinds import kind_of
+    from deltacal_gen.results.reader import KINDS_IN_MOTION
 
-    if not noise or done.kind == "torque":
+    if not noise or done.kind in KINDS_IN_MOTION:
         return None
     kind, turns = kind_of(done.kind), done.measurement.sigma_deg
     if kind.rotations:
