@@ -27,7 +27,9 @@ from deltacal_gen.errors import DeltacalError, InputError, UsageError
 from deltacal_gen.execution import Outcome, Store, Task, Told, content_key, run
 from deltacal_gen.files.points import is_table_of_joints
 from deltacal_gen.files.recording import is_recording
+from deltacal_gen.files.robot import robot_of
 from deltacal_gen.files.writing import csv_text, write_files
+from deltacal_gen.machine.places import at
 from deltacal_gen.pages import report
 from deltacal_gen.physics.law import PREFIX, load_law
 from deltacal_gen.results.base import Answer, Json
@@ -411,9 +413,10 @@ def _place_of(term: LawTerm) -> str:
 def _figures(found: Diagnosis | Result | Validation) -> Json:
     """Return what the table says of an answer, by the fields of its row."""
     if isinstance(found, Diagnosis):
+        robot = robot_of(found.robot)
         return {
             "verdict": str(found.verdict),
-            "effects": "; ".join(f"{e.name} {' '.join(map(str, e.limbs))}".strip() for e in found.effects),
+            "effects": "; ".join(f"{e.name}{at(robot, e.limbs)}" for e in found.effects),
             "model": found.baseline.model,
             "before_mm": found.baseline.heldout_rms_mm,
             "after_mm": found.final.heldout_rms_mm,

@@ -21,6 +21,7 @@ from deltacal_gen.identification.knowledge import uncertainty_of
 from deltacal_gen.identification.noise import noise_model
 from deltacal_gen.identification.unknowns import unknowns_of
 from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.machine.places import at, place_of
 from deltacal_gen.physics.law import PREFIX
 from deltacal_gen.physics.terms import (
     LOGGED,
@@ -51,6 +52,7 @@ from deltacal_gen.units import DEG, joint_factors, joint_names
 
 if TYPE_CHECKING:
     from deltacal_gen.diagnosis.diagnosis import Diagnosed
+    from deltacal_gen.machine.values import Robot
 
 MOST_TOLD = 3  # joints, and waves of each, of a smooth correction that the summary tells
 MOST_ODDS = 100.0  # that are told as a number
@@ -250,15 +252,9 @@ def _summary(found: Diagnosed) -> str:
     turned = f" It may as well be {found.turned}: compare the signs of that column." if found.turned else ""
     parts = []
     if found.spectrum is not None:
-        joints = ", ".join(map(str, found.spectrum.limbs))
-        parts.append(f"{load_effect(wave()).TITLE} of many orders ({wave()}) at joints {joints}")
-    for n in found.effects:
-        limbs = (
-            f" at limb{'s' if len(n.term.limbs) > 1 else ''} {', '.join(map(str, n.term.limbs))}"
-            if n.term.limbs
-            else ""
-        )
-        parts.append(f"{n.term.kernels.TITLE} ({n.term.effect}){limbs}")
+        where = at(found.robot, found.spectrum.limbs)
+        parts.append(f"{load_effect(wave()).TITLE} of many orders ({wave()}){where}")
+    parts += [f"{n.term.kernels.TITLE} ({n.term.effect}){at(found.robot, n.term.limbs)}" for n in found.effects]
     parts += _lawful(found)
     if found.verdict is Verdict.MISSING_PHYSICS:
         return (
@@ -294,8 +290,7 @@ def _lawful(found: Diagnosed) -> list[str]:
         return []
     terms = []
     for t in found.laws[0].terms:
-        limbs = f" at limb{'s' if len(t.limbs) > 1 else ''} {', '.join(map(str, t.limbs))}" if t.limbs else ""
-        terms.append(t.effect.removeprefix(PREFIX).replace(" = ", " moves by ") + limbs)
+        terms.append(t.effect.removeprefix(PREFIX).replace(" = ", " moves by ") + at(found.robot, t.limbs))
     rivals = len(found.laws) - 1
     doubt = f" ({rivals} other law{'s' if rivals > 1 else ''} that these poses cannot tell from it)" if rivals else ""
     return [f"a law that nobody has registered: {' and '.join(terms)}{doubt}"]
@@ -307,10 +302,10 @@ def _hinted(found: Diagnosed) -> str:
     if not shown:
         return ""
     best = shown[0]
-    at = f" at limb{'s' if len(best.limbs) > 1 else ''} {', '.join(map(str, best.limbs))}" if best.limbs else ""
+    where = at(found.robot, best.limbs)
     others = f" (or {' or '.join(best.indistinguishable_from)})" if best.indistinguishable_from else ""
     return (
-        f" There may be {best.name}{at}{others}, which is not proven (p = {best.p_value:.1g}): what to measure next "
+        f" There may be {best.name}{where}{others}, which is not proven (p = {best.p_value:.1g}): what to measure next "
         "would decide it."
     )
 
@@ -363,8 +358,8 @@ def _corrected(found: Diagnosed) -> str:
     where, most = f"{names[0]} is", ""
     if len(names) > 1:
         on, where = "functions that each joint has of its own angle or travel", "joints and position are"
-        own = _functions(found.final.problem, made)[:MOST_TOLD]
-        most = f" Most of it: {'; '.join(map(_waves, own))}. No period is claimed over the range that was seen."
+        own = "; ".join(_waves(found.robot, f) for f in _functions(found.final.problem, made)[:MOST_TOLD])
+        most = f" Most of it: {own}. No period is claimed over the range that was seen."
         if found.final.repeats.rows > 1:
             most += " Rows that follow one another are alike: only the same poses on another day tell joints from time."
     return (
@@ -373,9 +368,9 @@ def _corrected(found: Diagnosed) -> str:
     )
 
 
-def _waves(own: JointFunction) -> str:
+def _waves(robot: Robot, own: JointFunction) -> str:
     if own.orders is not None:
         few = ", ".join(f"{order:.0f}" for order in own.orders[:MOST_TOLD])
-        return f"joint {own.limb} {own.joint_rms_deg:.4f} deg at about {few} waves a turn"
+        return f"{place_of(robot, [own.limb])} {own.joint_rms_deg:.4f} deg at about {few} waves a turn"
     few = ", ".join(f"{wave:.1f}" for wave in (own.waves_mm or ())[:MOST_TOLD])
-    return f"joint {own.limb} {own.joint_rms_mm:.4f} mm in waves of about {few} mm"
+    return f"{place_of(robot, [own.limb])} {own.joint_rms_mm:.4f} mm in waves of about {few} mm"

@@ -184,7 +184,7 @@ def diagnose(
         spectrum=spectrum,
         lean=lean,
         laws=lawful,
-        turned=turned_of(found.considered) if lawful or unexplained else "",
+        turned=turned_of(robot, found.considered) if lawful or unexplained else "",
         doubts=(*doubt, *checks.copied(recording)),
     )
 

@@ -18,7 +18,9 @@ from deltacal_gen.diagnosis.strategy import ALIKE, MARGIN
 from deltacal_gen.diagnosis.structure import Region, Structure, alike
 from deltacal_gen.diagnosis.unnamed import shifts
 from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.machine.places import place_of
 from deltacal_gen.machine.registry import Array
+from deltacal_gen.machine.values import Robot
 from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.law import is_law
 from deltacal_gen.physics.states import read_by
@@ -143,7 +145,7 @@ def _where(
     else:
         text = f"the misfit depends on {first}"
     if limbs:
-        text += f", at limb{'s' if len(limbs) > 1 else ''} {', '.join(map(str, limbs))}"
+        text += f", at {place_of(at.problem.body.robot, limbs)}"
     if wandering:
         text += ", whose zero wanders" if limbs else ": the instrument, or its stand, wanders"
         text += " as a random walk does: its past does not foretell it"
@@ -220,7 +222,7 @@ def _warmings(time: Array) -> list[Array]:
     return [WARMED * since, *(WARMED * -np.expm1(-since / within) for within in WARMED_WITHIN)]
 
 
-def turned_of(considered: Sequence[Found]) -> str:
+def turned_of(robot: Robot, considered: Sequence[Found]) -> str:
     """Return in words what would explain the most, if the direction of approach counted the other way; "" if none.
 
     Readings of which the column has the wrong sign look like play of less than nothing.
@@ -230,7 +232,7 @@ def turned_of(considered: Sequence[Found]) -> str:
     gain, name, doubt = max(sizes, key=lambda s: s[0], default=(0.0, "", None))
     if doubt is None or gain < max(most, MARGIN):
         return ""
-    at = f" at limb {doubt.limb}" if doubt.limb else ""
+    at = f" at {place_of(robot, [doubt.limb])}" if doubt.limb else ""
     return f"{name}{at} with a {doubt.beyond.name} of {-doubt.beyond.value:.3g} {doubt.beyond.unit}, if {TURNED}"
 
 

@@ -9,6 +9,8 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 
+from deltacal_gen.machine import places
+from deltacal_gen.machine.values import Robot
 from deltacal_gen.pages.figures import AFTER, BEFORE, MUTED
 from deltacal_gen.physics.formula import formula
 from deltacal_gen.results.diagnosis import LawOf, LawTerm
@@ -19,21 +21,20 @@ _SIGNS = {ast.Lt: "&lt;", ast.LtE: "≤", ast.Gt: "&gt;", ast.GtE: "≥"}
 _BINDS = {ast.Add: 1, ast.Sub: 1, ast.Mult: 2, ast.Div: 3, ast.Pow: 4}
 
 
-def where(term: LawTerm) -> str:
+def where(term: LawTerm, robot: Robot) -> str:
     """Return at which limbs a term sits, in words."""
-    limbs, part = term.limbs, part_of(term)
-    return f" at {part}{'s' if len(limbs) > 1 else ''} {', '.join(map(str, limbs))}" if limbs else ""
+    return places.at(robot, term.limbs, _part(term, robot))
 
 
-def part_of(term: LawTerm) -> str:
+def _part(term: LawTerm, robot: Robot) -> str:
     """Return what the limbs of a term are called: drives are of joints."""
-    return "joint" if term.target == "torque" else "limb"
+    return "joint" if term.target == "torque" else places.part_of(robot)
 
 
-def headline(law: LawOf) -> str:
+def headline(law: LawOf, robot: Robot) -> str:
     """Return a law in a few words."""
     return "A law that nobody has registered: " + " and ".join(
-        f"{t.target} goes with {' and '.join(_states(t))}{where(t)}" for t in law.terms
+        f"{t.target} goes with {' and '.join(_states(t))}{where(t, robot)}" for t in law.terms
     )
 
 
@@ -47,12 +48,12 @@ def _states(term: LawTerm) -> tuple[str, ...]:
     return tuple(n for n in formula(term.expression).names if n not in own)
 
 
-def rows(law: LawOf) -> list[tuple[str, ...]]:
+def rows(law: LawOf, robot: Robot) -> list[tuple[str, ...]]:
     """Return the numbers of a law, as a table has them."""
     return [
         (
             t.target,
-            "" if c.limb is None else str(c.limb),
+            "" if c.limb is None else places.number_of(robot, c.limb),
             c.name,
             _number(c.value, c.std),
             "" if c.unit == "1" else c.unit,
@@ -157,20 +158,22 @@ def along(axes: Axes, law: LawOf) -> None:
     axes.set_ylabel(f"{law.terms[0].target}, {curve.target_unit}")
 
 
-def described(law: LawOf, others: tuple[LawOf, ...], heldout: str, remainder: float | None = None) -> dict[str, Any]:
+def described(
+    law: LawOf, others: tuple[LawOf, ...], heldout: str, robot: Robot, remainder: float | None = None
+) -> dict[str, Any]:
     """Return what a page says of a law beside its picture; `heldout` is what is left of readings, with the unit."""
     seen = ", ".join(f"{s} {low:.4g} to {high:.4g}" for s, (low, high) in law.range.items())
     return {
         "mathematics": mathematics(law),
-        "rows": rows(law),
-        "places": [f"{t.target}{where(t)}" for t in law.terms],
+        "rows": rows(law, robot),
+        "places": [f"{t.target}{where(t, robot)}" for t in law.terms],
         "range": seen,
-        "part": part_of(law.terms[0]),
+        "part": _part(law.terms[0], robot),
         "heldout": heldout,
         "share": f"{law.share_of_excess:.0%}",
         "gain": f"{law.gain:.0f}",
         "charge": f"{law.charge:.0f}",
         "remainder": None if remainder is None else f"{remainder:.4f}",
         "alike": list(law.alike),
-        "others": [" and ".join(f"{t.target} by {t.expression}{where(t)}" for t in o.terms) for o in others],
+        "others": [" and ".join(f"{t.target} by {t.expression}{where(t, robot)}" for t in o.terms) for o in others],
     }

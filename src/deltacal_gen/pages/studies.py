@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from functools import partial
 
 import numpy as np
 
+from deltacal_gen.files.robot import robot_of
 from deltacal_gen.pages import figures, report
 from deltacal_gen.results.motion import MotionStudy, TorqueAddition, by_limb
 from deltacal_gen.results.study import Study, Suspect
@@ -44,8 +44,8 @@ def _of_poses(found: Study) -> str:
         ],
         enough=report.picture(partial(figures.enough, found=found), (7.4, 2.4)),
         gains=[(report.sentence(g.add), f"{g.rms_mm:.4f}", f"{g.gain:.0%}") for g in advice.add],
-        suspects=[_suspect(s) for s in found.suspects],
-        chances=_chances(found.suspects),
+        suspects=[_suspect(s, found) for s in found.suspects],
+        chances=_chances(found),
         parameters=report.picture(partial(figures.scatter, found=found), (7.4, 3.0)),
         rows=[
             (p.name, *(f"{v:.3g}" for v in (p.drawn_std, p.std, p.predicted_std, p.bias)), p.unit)
@@ -91,8 +91,8 @@ def _of_drives(found: MotionStudy) -> str:
             )
             for a in found.add
         ],
-        suspects=[_suspect(s)[:5] for s in found.suspects],
-        chances=_chances(found.suspects),
+        suspects=[_suspect(s, found)[:5] for s in found.suspects],
+        chances=_chances(found),
         parameters=report.picture(partial(figures.scatter, found=found), (7.4, 3.0)),
         rows=[
             (
@@ -127,28 +127,28 @@ def _steps(found: Study) -> list[str]:
         steps.append(f"To find {report.spaced(c.name)} at all, the plan needs {c.missing}.")
     for s in found.suspects:
         if s.effects and s.interval[0] < 0.5 and s.next:
-            steps.append(f"To be surer of {_concealed(s)}: {s.next[0]}")
+            steps.append(f"To be surer of {_concealed(s, found)}: {s.next[0]}")
     return steps
 
 
-def _chances(suspects: Sequence[Suspect]) -> str:
+def _chances(found: Study | MotionStudy) -> str:
     """Return a picture of how often each suspicion was named; nothing where none was concealed."""
-    tried = [(_concealed(s), s) for s in suspects if s.recordings]
+    tried = [(_concealed(s, found), s) for s in found.suspects if s.recordings]
     size = (7.4, 0.9 + 0.3 * len(tried))
     return report.picture(partial(figures.chances, suspects=tried), size) if tried else ""
 
 
-def _concealed(suspect: Suspect) -> str:
-    words = [f"{report.spaced(e.name)} {', '.join(map(str, e.limbs))}".strip() for e in suspect.effects]
-    return " and ".join(words) or "nothing"
+def _concealed(suspect: Suspect, found: Study | MotionStudy) -> str:
+    robot, part = robot_of(found.robot), "joint" if isinstance(found, MotionStudy) else None
+    return " and ".join(figures.named(e, robot, part) for e in suspect.effects) or "nothing"
 
 
-def _suspect(s: Suspect) -> tuple[str, ...]:
+def _suspect(s: Suspect, found: Study | MotionStudy) -> tuple[str, ...]:
     low, high = s.interval
     instead = "; ".join(f"{words} ({count})" for words, count in s.instead.items()) or "-"
     figures_mm = [f"{v:.4f}" if v is not None else "-" for v in (s.before_mm, s.after_mm)]
     return (
-        _concealed(s),
+        _concealed(s, found),
         str(s.recordings),
         str(s.named_right),
         f"{low:.0%} to {high:.0%}",
