@@ -38,6 +38,7 @@ from deltacal_gen.results.diagnosis import (
     Effect,
     EffectParameter,
     Final,
+    Hint,
     JointFunction,
     NoiseLevel,
     Residuals,
@@ -259,12 +260,12 @@ def _summary(found: Diagnosed) -> str:
     if found.verdict is Verdict.MISSING_PHYSICS:
         return (
             f"Geometry alone leaves {before:.4f} mm on held-out readings. What is missing: {'; '.join(parts)}. "
-            f"With it {after:.4f} mm are left: that {_as_noise(found)}.{_alike(found.effects)}{turned}"
+            f"With it {after:.4f} mm are left: that {_as_noise(found)}.{_alike(found.effects)}{_hinted(found)}{turned}"
         )
     named = f" Proven beside it: {'; '.join(parts)}." if parts else ""
     return (
         f"A mismatch of {found.final.rms():.4f} mm is left that no registered effect explains: "
-        f"{found.location.text}.{named} {_corrected(found)}{turned}"
+        f"{found.location.text}.{named}{_hinted(found)} {_corrected(found)}{turned}"
     )
 
 
@@ -297,17 +298,26 @@ def _lawful(found: Diagnosed) -> list[str]:
 
 
 def _hinted(found: Diagnosed) -> str:
-    """Return what may be there all the same, as far as it earned its price."""
-    shown = [h for h in found.hints if h.p_value <= WORTH_SAYING]
+    """Return what may be there all the same, as far as it earned its price.
+
+    Where nothing else is missing the first is told though it did not quite, if chance hardly does as much.
+    """
+    calm = found.verdict is Verdict.ADEQUATE
+    shown = [h for n, h in enumerate(found.hints) if h.earned or (calm and n == 0 and h.p_value <= WORTH_SAYING)]
     if not shown:
         return ""
-    best = shown[0]
-    where = at(found.robot, best.limbs)
-    others = f" (or {' or '.join(best.indistinguishable_from)})" if best.indistinguishable_from else ""
-    return (
-        f" There may be {best.name}{where}{others}, which is not proven (p = {best.p_value:.1g}): what to measure next "
-        "would decide it."
-    )
+    told = "; ".join(f"{h.name}{at(found.robot, h.limbs)} ({_doubtful(h)})" for h in shown[:MOST_TOLD])
+    more = f" and {len(shown) - MOST_TOLD} more" if len(shown) > MOST_TOLD else ""
+    several = len(shown) > 1
+    why = f"earned {'their' if several else 'its'} price but {'are' if several else 'is'} not proven"
+    why = why if all(h.earned for h in shown) else "is not proven"
+    return f" There may {'' if calm else 'also '}be {told}{more}, which {why}: what to measure next would decide it."
+
+
+def _doubtful(hint: Hint) -> str:
+    """Return what else a hint may be, and how likely chance alone does as much."""
+    others = f"or {' or '.join(hint.indistinguishable_from)}, " if hint.indistinguishable_from else ""
+    return f"{others}p = {hint.p_value:.1g}"
 
 
 def _as_noise(found: Diagnosed) -> str:

@@ -108,6 +108,7 @@ def diagnosis(found: Diagnosis) -> str:
         part=part_of(robot),
         effects=_effects(found),
         parameters=[_parameter(e, p, robot) for e in found.effects for p in e.parameters],
+        hints=_hints(found, robot),
         rejected=[(spaced(r.name), f"{r.gain_chi2:.0f}", r.why) for r in found.rejected],
         next=[_question(n) for n in found.next_measurements],
         not_tested=[(spaced(t.name), t.missing) for t in found.not_tested],
@@ -414,6 +415,31 @@ def _parameter(effect: Effect, p: EffectParameter, robot: Robot) -> tuple[str, .
         measured(p.value, p.std),
         "" if p.unit == "1" else p.unit,
     )
+
+
+def _hints(found: Diagnosis, robot: Robot) -> list[tuple[str, ...]]:
+    """Return what may be there: what speaks for it, what is alike, what is wanting, and what decides."""
+    rows = []
+    for k, hint in enumerate(found.hints):
+        before = sum(other.name == hint.name for other in found.hints[:k])
+        settles = [n for n in found.next_measurements if n.separates == (hint.name,)][before : before + 1]
+        text = "".join(n.text for n in settles) or "Other poses, and channels that were not recorded."
+        for n in settles:
+            if n.poses:
+                text = f"The {len(n.poses)} poses below" + (
+                    f": {n.expected_chi2:.0f} of chi²" if n.expected_chi2 else ""
+                )
+        rows.append(
+            (
+                figures.named(hint, robot),
+                f"{hint.gain_chi2:.0f}",
+                power(hint.p_value),
+                ", ".join(map(spaced, hint.indistinguishable_from)),
+                hint.why,
+                text,
+            )
+        )
+    return rows
 
 
 def _question(n: NextMeasurement) -> dict[str, object]:

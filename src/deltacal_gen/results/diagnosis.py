@@ -206,6 +206,8 @@ class Hint(Value):
     indistinguishable_from: tuple[str, ...]
     why: str
     """What is wanting; `next_measurements` holds what would decide it."""
+    earned: bool = False
+    """Whether it earned its full price beside all that was named."""
 
 
 class Rejected(Value):
