@@ -14,7 +14,7 @@ from deltacal_gen.diagnosis.discrimination import more_poses
 from deltacal_gen.diagnosis.findings import Named
 from deltacal_gen.diagnosis.laws.told import told
 from deltacal_gen.diagnosis.search import SCATTERED
-from deltacal_gen.diagnosis.spectrum import Spectrum, wave
+from deltacal_gen.diagnosis.spectrum import Spectrum, Standing, wave
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.files.robot import kept_robot
 from deltacal_gen.identification.knowledge import uncertainty_of
@@ -46,16 +46,18 @@ from deltacal_gen.results.diagnosis import (
     Seen,
     SeenJoint,
     SmoothCorrection,
+    StandingOrder,
     Verdict,
 )
 from deltacal_gen.results.parts import InstrumentState, MachineState, Source
+from deltacal_gen.results.shown import rounded
 from deltacal_gen.units import DEG, joint_factors, joint_names
 
 if TYPE_CHECKING:
     from deltacal_gen.diagnosis.diagnosis import Diagnosed
     from deltacal_gen.machine.values import Robot
 
-MOST_TOLD = 3  # joints, and waves of each, of a smooth correction that the summary tells
+MOST_TOLD = 3  # that the summary tells: hints; joints, and waves of each, of a smooth correction; orders of a joint
 MOST_ODDS = 100.0  # that are told as a number
 WORTH_SAYING = 0.02  # p-value of a hint that the summary tells
 
@@ -213,6 +215,11 @@ def _periodic(found: Diagnosed, spectrum: Spectrum) -> Effect:
         limbs=spectrum.limbs,
         parameters=(*joints, EffectParameter(name="corner", limb=None, value=spectrum.corner, std=None, unit="1")),
         orders=(1, len(spectrum.terms)),
+        standing_out=tuple(
+            StandingOrder(limb=j, order=s.order, amplitude_deg=s.amplitude / DEG, std_deg=s.std / DEG)
+            for j, each in spectrum.standing.items()
+            for s in each
+        ),
         p_value=found.chance.of(gain - 2.0 * spectrum.corner * len(spectrum.limbs)),
         gain_chi2=gain,
         gain_by_limb={str(j): g for j, g in spectrum.gains.items()},
@@ -254,7 +261,7 @@ def _summary(found: Diagnosed) -> str:
     parts = []
     if found.spectrum is not None:
         where = at(found.robot, found.spectrum.limbs)
-        parts.append(f"{load_effect(wave()).TITLE} of many orders ({wave()}){where}")
+        parts.append(f"{load_effect(wave()).TITLE} of many orders ({wave()}){where}{_standing_out(found)}")
     parts += [f"{n.term.kernels.TITLE} ({n.term.effect}){at(found.robot, n.term.limbs)}" for n in found.effects]
     parts += _lawful(found)
     if found.verdict is Verdict.MISSING_PHYSICS:
@@ -267,6 +274,21 @@ def _summary(found: Diagnosed) -> str:
         f"A mismatch of {found.final.rms():.4f} mm is left that no registered effect explains: "
         f"{found.location.text}.{named}{_hinted(found)} {_corrected(found)}{turned}"
     )
+
+
+def _standing_out(found: Diagnosed) -> str:
+    """Return which orders of each joint's periodic error stand out, with amplitudes and their deviations [deg]."""
+    each = {} if found.spectrum is None else found.spectrum.standing
+    told = [
+        f"{place_of(found.robot, [j])} {', '.join(f'{s.order} ({_amplitude(s)})' for s in some[:MOST_TOLD])}"
+        for j, some in each.items()
+        if some
+    ]
+    return f", of which stand out: {'; '.join(told)}" if told else ", none of which stands out"
+
+
+def _amplitude(standing: Standing) -> str:
+    return f"{' +- '.join(rounded(standing.amplitude / DEG, standing.std / DEG))} deg"
 
 
 def _alike(effects: Sequence[Named]) -> str:

@@ -51,7 +51,17 @@ _PAPER = {"var(--card)": "#ffffff", "var(--paper)": "#ffffff", "var(--good)": "#
 MOST_DRAWN = 60  # recordings of a batch, each with its line; of more, their distribution
 FAILED = {"verdict": "failed"}  # in the columns of a recording that could not be done
 MOST_ROWS = 500  # of a table on a page: 10^5 would be 20 MB, which no browser likes
-_NUMERIC = {"value ± standard deviation", "gain in chi²", "value", "takes away", "recordings", "said so"}
+_NUMERIC = {
+    "value ± standard deviation",
+    "amplitude ± standard deviation",
+    "p",
+    "order",
+    "gain in chi²",
+    "value",
+    "takes away",
+    "recordings",
+    "said so",
+}
 _NUMERIC |= {
     "drawn with",
     "simulated",
@@ -108,6 +118,11 @@ def diagnosis(found: Diagnosis) -> str:
         part=part_of(robot),
         effects=_effects(found),
         parameters=[_parameter(e, p, robot) for e in found.effects for p in e.parameters],
+        orders=[
+            (number_of(robot, s.limb), str(s.order), measured(s.amplitude_deg, s.std_deg), "deg")
+            for e in found.effects
+            for s in e.standing_out or ()
+        ],
         hints=_hints(found, robot),
         rejected=[(spaced(r.name), f"{r.gain_chi2:.0f}", r.why) for r in found.rejected],
         next=[_question(n) for n in found.next_measurements],
@@ -419,7 +434,7 @@ def _parameter(effect: Effect, p: EffectParameter, robot: Robot) -> tuple[str, .
 
 def _hints(found: Diagnosis, robot: Robot) -> list[tuple[str, ...]]:
     """Return what may be there: what speaks for it, what is alike, what is wanting, and what decides."""
-    rows = []
+    rows: list[tuple[str, ...]] = []
     for k, hint in enumerate(found.hints):
         before = sum(other.name == hint.name for other in found.hints[:k])
         settles = [n for n in found.next_measurements if n.separates == (hint.name,)][before : before + 1]

@@ -114,6 +114,15 @@ class EffectParameter(Value):
         return " of ".join(filter(None, (self.name, point, self.setup)))
 
 
+class StandingOrder(Value):
+    """An order of a joint's periodic error whose amplitude stands out of its standard deviation [deg]."""
+
+    limb: int
+    order: int
+    amplitude_deg: float
+    std_deg: float
+
+
 class Effect(Value):
     """An effect that was found."""
 
@@ -124,6 +133,8 @@ class Effect(Value):
     parameters: tuple[EffectParameter, ...]
     orders: tuple[int, ...] | None = None
     """The first and the last, of a periodic error of many orders."""
+    standing_out: tuple[StandingOrder, ...] | None = None
+    """Of one of many orders: those that carry most for how well they are known, joint by joint, the clearest first."""
     p_value: float
     """Probability that noise alone lets the best of all forms of all effects earn so much."""
     gain_chi2: float
