@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import ast
 import html
+from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -13,7 +15,7 @@ from deltacal_gen.machine import places
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.pages.figures import AFTER, BEFORE, MUTED
 from deltacal_gen.physics.formula import formula
-from deltacal_gen.results.diagnosis import LawOf, LawTerm
+from deltacal_gen.results.diagnosis import LawCurve, LawOf, LawTerm, RunnerUp
 from deltacal_gen.results.shown import rounded
 
 WITHIN = 1.96  # standard deviations of the band: 95 %
@@ -26,7 +28,7 @@ def where(term: LawTerm, robot: Robot) -> str:
     return places.at(robot, term.limbs, _part(term, robot))
 
 
-def _part(term: LawTerm, robot: Robot) -> str:
+def _part(term: LawTerm | RunnerUp, robot: Robot) -> str:
     """Return what the limbs of a term are called: drives are of joints."""
     return "joint" if term.target == "torque" else places.part_of(robot)
 
@@ -140,11 +142,22 @@ def _bracketed(inside: str, needed: bool) -> str:
     return f"<mrow><mo>(</mo>{inside}<mo>)</mo></mrow>" if needed else f"<mrow>{inside}</mrow>"
 
 
-def along(axes: Axes, law: LawOf) -> None:
-    """Draw a law along its first state: what the readings say, the curve, and its band of 95 %."""
-    curve = law.curve
-    if curve is None:
-        return
+def drawn(law: LawOf, draw: Callable[[Callable[[Axes], None]], str]) -> list[dict[str, str]]:
+    """Return the picture of every term that has one, with its title where there are several terms."""
+    curves = law.curves or ((law.curve,) if law.curve is not None else ())
+    several = len(law.terms) > 1
+    return [
+        {"title": _short(law.terms[c.term]) if several else "", "svg": draw(partial(along, law=law, curve=c))}
+        for c in curves
+    ]
+
+
+def _short(term: LawTerm) -> str:
+    return f"{term.target}: {term.expression}"
+
+
+def along(axes: Axes, law: LawOf, curve: LawCurve) -> None:
+    """Draw a term of a law along its first state: what the readings say, the curve, and its band of 95 %."""
     at, value = np.asarray(curve.at), np.asarray(curve.value)
     band = WITHIN * np.asarray(curve.std)
     axes.plot(curve.seen, curve.partial, "o", ms=3.0, mew=0, alpha=0.6, color=BEFORE)
@@ -155,7 +168,7 @@ def along(axes: Axes, law: LawOf) -> None:
     low, high = np.percentile(np.asarray(curve.partial), (1, 99))
     axes.set_ylim(min(low, value.min()) - 0.1 * wide, max(high, value.max()) + 0.1 * wide)
     axes.set_xlabel(f"{curve.state}{'' if curve.unit == '1' else f', {curve.unit}'}")
-    axes.set_ylabel(f"{law.terms[0].target}, {curve.target_unit}")
+    axes.set_ylabel(f"{law.terms[curve.term].target}, {curve.target_unit}")
 
 
 def described(
@@ -175,5 +188,15 @@ def described(
         "charge": f"{law.charge:.0f}",
         "remainder": None if remainder is None else f"{remainder:.4f}",
         "alike": list(law.alike),
+        "tried": law.forms_tried,
+        "runners_up": [
+            (
+                f"{r.target} by {r.expression}{places.at(robot, r.limbs, _part(r, robot))}",
+                f"{r.gain:.0f}",
+                f"{r.charge:.0f}",
+                f"{r.gain - r.charge:.0f}",
+            )
+            for r in law.runners_up
+        ],
         "others": [" and ".join(f"{t.target} by {t.expression}{where(t, robot)}" for t in o.terms) for o in others],
     }

@@ -71,7 +71,7 @@ _NUMERIC |= {
     "degrees of freedom",
     "share of variance",
 }  # and lengths
-_NUMERIC |= {"as drawn", "identified", "95 % of machines", "readings"}
+_NUMERIC |= {"chance and search", "earns", "as drawn", "identified", "95 % of machines", "readings"}
 _VERDICTS = {
     Verdict.ADEQUATE: "nothing is missing",
     Verdict.MISSING_PHYSICS: "missing physics found",
@@ -369,9 +369,11 @@ def _law(found: Diagnosis) -> dict[str, object] | None:
     if not found.laws:
         return None
     best, *others = found.laws
-    picture = "" if best.curve is None else _svg(partial(laws.along, law=best), (6.4, 3.0))
+    pictures = laws.drawn(best, lambda draw: _svg(draw, (6.4, 3.0)))
     left = f"{best.heldout_rms_mm:.4f} mm"
-    return laws.described(best, tuple(others), left, robot_of(found.robot), best.remainder_rms_mm) | {"svg": picture}
+    return laws.described(best, tuple(others), left, robot_of(found.robot), best.remainder_rms_mm) | {
+        "pictures": pictures
+    }
 
 
 def _heldout(fit: Baseline | Final) -> float:

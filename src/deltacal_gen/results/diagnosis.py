@@ -178,6 +178,20 @@ class LawCurve(Value):
     """The state at the readings."""
     partial: Column
     """What the readings say there."""
+    term: int = 0
+    """Which of the law's terms it is of, from 0."""
+
+
+class RunnerUp(Value):
+    """A form that was tried in place of a law's last term, and what it earns."""
+
+    target: str
+    limbs: tuple[int, ...]
+    expression: str
+    gain: float
+    """In chi2, beside all else that is fitted."""
+    charge: float
+    """What chance and the search for it account for."""
 
 
 class LawOf(Value):
@@ -195,6 +209,13 @@ class LawOf(Value):
     """Laws that these readings cannot tell from it."""
     borne_out: bool
     curve: LawCurve | None = None
+    """Of its first term."""
+    curves: tuple[LawCurve, ...] = ()
+    """Of every term that has one: what lags has none."""
+    forms_tried: int | None = None
+    """Among so many, place by place, its last term was chosen; null of rivals."""
+    runners_up: tuple[RunnerUp, ...] = ()
+    """Of these the best, but for what cannot be told from it."""
 
 
 class Law(LawOf):
