@@ -112,11 +112,12 @@ def test_the_orders_that_stand_out_are_those_that_are_there(found: Spectrum) -> 
     for j, limb in enumerate(JOINTS):
         true = {k: float(np.hypot(*c[j])) * DEG for k, c in amplitudes().items()}
         told = found.standing[limb]
-        assert {s.order for s in told} <= set(ORDERS)
+        assert told[0].order in ORDERS
         assert max(true, key=lambda k: true[k]) in {s.order for s in told}
         assert 2 <= len(told) <= MOST_OUT
+        assert {s.order for s in told if s.amplitude > 4 * s.std} <= set(ORDERS)
         for s in told:
-            assert abs(s.amplitude - true[s.order]) < 4 * s.std
+            assert abs(s.amplitude - true.get(s.order, 0.0)) < 4 * s.std
             assert s.amplitude > STANDS_OUT * s.std
         assert [s.amplitude / s.std for s in told] == sorted((s.amplitude / s.std for s in told), reverse=True)
 
@@ -129,7 +130,7 @@ def test_they_are_told_in_the_answer_in_words_and_on_the_page(found: Spectrum, t
     assert {s.limb for s in many.standing_out} == set(JOINTS)
     first = many.standing_out[0]
     shown = rounded(first.amplitude_deg, first.std_deg)
-    assert f"of which stand out: joint {first.limb} {first.order} ({shown[0]} +- {shown[1]} deg)" in answer.summary
+    assert f"clearest at orders: joint {first.limb} {first.order} ({shown[0]} +- {shown[1]} deg)" in answer.summary
     page = re.sub(r"<[^>]*>\s*", " ", report.diagnosis(answer))
     for s in many.standing_out:
         assert f" {s.limb} {s.order} {report.measured(s.amplitude_deg, s.std_deg)} deg" in re.sub(" +", " ", page)

@@ -284,7 +284,7 @@ def _standing_out(found: Diagnosed) -> str:
         for j, some in each.items()
         if some
     ]
-    return f", of which stand out: {'; '.join(told)}" if told else ", none of which stands out"
+    return f", clearest at orders: {'; '.join(told)}" if told else ", at no order clearly"
 
 
 def _amplitude(standing: Standing) -> str:
