@@ -103,6 +103,7 @@ def result_of(found: Diagnosed) -> Diagnosis:
         unit=unit and unit[0],
         unit_mm=unit and unit[1],
         parameters=unknowns.parameters or None,
+        turned=found.turned or None,
         laws=told(found.laws, final),
     )
 
@@ -257,7 +258,7 @@ def _summary(found: Diagnosed) -> str:
             f"Nothing is missing: what the calibrated geometry leaves, {before:.4f} mm on held-out readings, "
             f"{_as_noise(found)}. Use the calibrated machine.{_hinted(found)}"
         )
-    turned = f" It may as well be {found.turned}: compare the signs of that column." if found.turned else ""
+    turned = f"It may be {found.turned}: compare the signs of that column first. " if found.turned else ""
     parts = []
     if found.spectrum is not None:
         where = at(found.robot, found.spectrum.limbs)
@@ -266,13 +267,14 @@ def _summary(found: Diagnosed) -> str:
     parts += _lawful(found)
     if found.verdict is Verdict.MISSING_PHYSICS:
         return (
-            f"Geometry alone leaves {before:.4f} mm on held-out readings. What is missing: {'; '.join(parts)}. "
-            f"With it {after:.4f} mm are left: that {_as_noise(found)}.{_alike(found.effects)}{_hinted(found)}{turned}"
+            f"{turned}Geometry alone leaves {before:.4f} mm on held-out readings. What is missing: {'; '.join(parts)}. "
+            f"With it {after:.4f} mm are left: that {_as_noise(found)}.{_alike(found.effects)}{_hinted(found)}"
         )
     named = f" Proven beside it: {'; '.join(parts)}." if parts else ""
+    mismatch = "As recorded, a mismatch" if turned else "A mismatch"
     return (
-        f"A mismatch of {found.final.rms():.4f} mm is left that no registered effect explains: "
-        f"{found.location.text}.{named}{_hinted(found)} {_corrected(found)}{turned}"
+        f"{turned}{mismatch} of {found.final.rms():.4f} mm is left that no registered effect explains: "
+        f"{found.location.text}.{named}{_hinted(found)} {_corrected(found)}"
     )
 
 

@@ -12,7 +12,7 @@ from deltacal_gen.diagnosis.chance import Chance
 from deltacal_gen.diagnosis.library import unseen
 from deltacal_gen.diagnosis.refits import form, terms_of
 from deltacal_gen.diagnosis.scattering import scattering
-from deltacal_gen.diagnosis.search import Found, Search
+from deltacal_gen.diagnosis.search import Doubt, Found, Search
 from deltacal_gen.diagnosis.spectrum import Spectrum, wave
 from deltacal_gen.diagnosis.strategy import ALIKE, MARGIN
 from deltacal_gen.diagnosis.structure import Region, Structure, alike
@@ -222,18 +222,32 @@ def _warmings(time: Array) -> list[Array]:
     return [WARMED * since, *(WARMED * -np.expm1(-since / within) for within in WARMED_WITHIN)]
 
 
-def turned_of(robot: Robot, considered: Sequence[Found]) -> str:
-    """Return in words what would explain the most, if the direction of approach counted the other way; "" if none.
+def turned_by(considered: Sequence[Found]) -> tuple[str, Doubt] | None:
+    """Return the effect that would explain the most if the direction of approach counted the other way; None if none.
 
     Readings of which the column has the wrong sign look like play of less than nothing.
     """
     most = max((f.gain for f in considered), default=0.0)
-    sizes = [(f.doubt.gain, f.term.effect, f.doubt) for f in considered if f.doubt and f.doubt.beyond.turned]
-    gain, name, doubt = max(sizes, key=lambda s: s[0], default=(0.0, "", None))
-    if doubt is None or gain < max(most, MARGIN):
+    sizes = [(f.term.effect, f.doubt) for f in considered if f.doubt and f.doubt.beyond.turned]
+    found = max(sizes, key=lambda s: s[1].gain, default=None)
+    return None if found is None or found[1].gain < max(most, MARGIN) else found
+
+
+def turned_of(robot: Robot, considered: Sequence[Found]) -> str:
+    """Return the same in words, with its size; "" where there is none."""
+    if (found := turned_by(considered)) is None:
         return ""
-    at = f" at {place_of(robot, [doubt.limb])}" if doubt.limb else ""
-    return f"{name}{at} with a {doubt.beyond.name} of {-doubt.beyond.value:.3g} {doubt.beyond.unit}, if {TURNED}"
+    name, doubt = found
+    where = f" at {place_of(robot, [doubt.limb])}" if doubt.limb else ""
+    return f"{name}{where} with a {doubt.beyond.name} of {-doubt.beyond.value:.3g} {doubt.beyond.unit}, if {TURNED}"
+
+
+def only_turned(considered: Sequence[Found], law: Sequence[Term]) -> bool:
+    """Tell whether a law reads no more than the effect of `turned_by`: it is what the wrong sign does."""
+    if not law or (found := turned_by(considered)) is None:
+        return False
+    read = {s.base for s in read_by(load_effect(found[0]))}
+    return all({s.base for s in t.states} <= read for t in law)
 
 
 def rejected_of(considered: Sequence[Found], named: Sequence[Named], spectrum: Spectrum | None) -> tuple[Rejected, ...]:

@@ -337,6 +337,8 @@ def _headline(found: Diagnosis) -> str:
     if found.verdict is Verdict.ADEQUATE:
         return "The calibrated geometry explains these readings"
     if found.verdict is Verdict.UNEXPLAINED:
+        if found.turned:
+            return "The direction of approach may count the other way"
         beside = f" beside {' and '.join(figures.named(e, robot) for e in effects)}" if effects else ""
         return f"Something{beside} that no known effect explains"
     told = [laws.headline(law, robot) for law in found.laws[:1]]
@@ -398,6 +400,8 @@ def _in_numbers(effect: Effect) -> str:
 def _steps(found: Diagnosis) -> list[dict[str, str]]:
     """Return what to do now, with the command where there is one."""
     steps: list[dict[str, str]] = []
+    if found.turned:
+        steps.append({"text": f"Compare the signs of the approach columns: it may be {found.turned}.", "command": ""})
     for effect in found.effects:
         advice = load_effect(effect.name).ADVICE
         steps.append({"text": f"{sentence(figures.named(effect, robot_of(found.robot)))}: {advice}", "command": ""})

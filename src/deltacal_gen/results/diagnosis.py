@@ -394,6 +394,8 @@ class Diagnosis(Answer):
     motion: SeriesMade | None = None
     """Of a recording with two clocks."""
     made: Made | None = None
+    turned: str | None = None
+    """What would explain the most if the direction of approach counted the other way, in words; null for none."""
     laws: tuple[Law, ...] = ()
     """What was found where no registered effect explains the misfit, the best first; it stands in `physics`."""
 
