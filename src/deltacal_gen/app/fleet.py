@@ -29,7 +29,7 @@ from deltacal_gen.files.points import is_table_of_joints
 from deltacal_gen.files.recording import is_recording
 from deltacal_gen.files.robot import robot_of
 from deltacal_gen.files.writing import csv_text, write_files
-from deltacal_gen.machine.places import at
+from deltacal_gen.machine.places import place_of
 from deltacal_gen.pages import report
 from deltacal_gen.physics.law import PREFIX, load_law
 from deltacal_gen.results.base import Answer, Json
@@ -416,7 +416,7 @@ def _figures(found: Diagnosis | Result | Validation) -> Json:
         robot = robot_of(found.robot)
         return {
             "verdict": str(found.verdict),
-            "effects": "; ".join(f"{e.name}{at(robot, e.limbs)}" for e in found.effects),
+            "effects": "; ".join(", ".join(filter(None, (e.name, place_of(robot, e.limbs)))) for e in found.effects),
             "model": found.baseline.model,
             "before_mm": found.baseline.heldout_rms_mm,
             "after_mm": found.final.heldout_rms_mm,

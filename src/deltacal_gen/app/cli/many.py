@@ -179,7 +179,7 @@ def batch(
     table = Table(*[Column(c.replace("_", " "), overflow="fold") for c in columns])
     for r in worst(rows, MOST_LINES):
         cells = [getattr(r, c, None) for c in columns]
-        table.add_row(*[number(c) if isinstance(c, float) else str(c if c is not None else "") for c in cells])
+        table.add_row(*[number(c) if isinstance(c, float) else escaped(str(c if c is not None else "")) for c in cells])
     screen.print(table)
     if len(rows) > MOST_LINES:
         screen.print(f"These are the {MOST_LINES} with the largest errors.")
