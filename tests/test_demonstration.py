@@ -51,4 +51,4 @@ def test_the_demonstration_finds_models_and_takes_out_what_is_concealed(
     assert drawn > calibrated > 20 * diagnosed
     assert diagnosed < 0.01  # below the noise of one reading
     page = (tmp_path / "demo" / "diagnosis.html").read_text()
-    assert "Backlash at joint 2" in page
+    assert "Backlash at limb 2" in page

@@ -11,10 +11,16 @@ from typing import Any
 import numpy as np
 import pytest
 
+from deltacal_gen.diagnosis.findings import only_turned
+from deltacal_gen.diagnosis.search import Doubt, Found
 from deltacal_gen.files.robot import robot_to_toml
 from deltacal_gen.files.writing import write_recording
+from deltacal_gen.pages import report
+from deltacal_gen.physics.terms import Beyond
+from deltacal_gen.results.reader import read_result
 from tests.conftest import Run
 from tests.left_out import POSES, channels, effect, machine, record
+from tests.test_law_language import law
 
 BACKLASH = effect("backlash", (2,), 0.02)
 LOADED = ("joint_compliance", "payload_deflection", "proximal_bending", "distal_compliance", "base_compliance")
@@ -197,7 +203,23 @@ def test_play_of_less_than_nothing_is_a_direction_that_counts_the_other_way(shop
     _, found, out, _ = diagnose()
     assert not found["effects"]
     size = r"backlash at limb 2 with a width of 0\.0[12]\d* deg, if approach counts the other way here"
-    assert re.search(size, found["summary"])
+    assert re.match(f"It may be {size}: compare the signs of that column first", found["summary"])
     assert re.search(size, out)
+    assert (found["verdict"], found["laws"]) == ("unexplained", [])
+    page = report.diagnosis(read_result(found))
+    assert "The direction of approach may count the other way" in page
+    steps = page[page.index("What to do") :]
+    assert re.search(r"<ol>\s*<li>Compare the signs of the approach columns: it may be " + size, steps)
     [why] = [r["why"] for r in found["rejected"] if r["name"] == "backlash"]
     assert why.endswith("unless approach counts the other way here")
+
+
+def test_no_law_stands_for_the_wrong_sign_but_one_of_more_than_the_direction_does() -> None:
+    doubt = Doubt(Beyond(0, "width", -0.02, "deg", (0.0, 2.0), turned=True), 2, 900.0)
+    considered = [Found(BACKLASH, 0.0, -np.inf, doubt), Found(effect("zero_drift", (2,), 0.1), 100.0, 80.0)]
+    plain, product = law("joint = c1*approach", 0.01), law("joint = c1*approach*warming", 0.01)
+    assert only_turned(considered, [plain])
+    assert not only_turned(considered, [product])
+    assert not only_turned(considered, [plain, product])
+    assert not only_turned(considered[1:], [plain])
+    assert not only_turned(considered, [])

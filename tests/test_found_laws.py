@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import html
 import json
 from pathlib import Path
 from types import SimpleNamespace
@@ -15,8 +16,12 @@ import deltacal_gen as dc
 from deltacal_gen.diagnosis import diagnosis
 from deltacal_gen.diagnosis.answer import Diagnosed
 from deltacal_gen.diagnosis.laws.ground import TARGETS
+from deltacal_gen.diagnosis.laws.laws import Unsure
+from deltacal_gen.diagnosis.laws.told import told
 from deltacal_gen.estimation.fit import fit
 from deltacal_gen.estimation.solvers import Prior
+from deltacal_gen.pages import report
+from deltacal_gen.pages.laws import mathml
 from deltacal_gen.results.diagnosis import Diagnosis
 from tests.left_out import SIGMA, channels, effect, machine, record
 from tests.test_law_language import LIMB, law
@@ -86,7 +91,7 @@ def test_rows_outside_its_range_are_counted_and_commands_undo_it(found: Diagnosi
     np.testing.assert_allclose(compensator.pose(joints, None, at)[0][:, :3], targets, atol=1e-6)
     text = tmp_path / "command.c"
     dc.compensate(found, output=text, export="c")
-    assert "limb.rod = c1*tanh(tension_1/c2) at joint 2" in text.read_text(encoding="utf-8")
+    assert "limb.rod = c1*tanh(tension_1/c2) at limb 2" in text.read_text(encoding="utf-8")
 
 
 def test_its_curve_goes_through_what_the_readings_say(found: Diagnosis) -> None:
@@ -99,6 +104,50 @@ def test_its_curve_goes_through_what_the_readings_say(found: Diagnosis) -> None:
     np.testing.assert_allclose(curve.value, exact, atol=6 * float(np.max(curve.std)) + 0.01)
 
 
+def test_the_band_counts_what_is_unknown_of_the_constants(made: Diagnosed, found: Diagnosis) -> None:
+    """As the numbers scatter: coefficient and constant drawn together, the coefficient going with the constant."""
+    curve, law = found.laws[0].curve, made.laws[0]
+    assert curve is not None
+    assert found.laws[0].curves == (curve,)
+    [unsure] = law.unsure
+    size, scale = (c.value for c in found.laws[0].terms[0].coefficients)
+    alone = dataclasses.replace(law, unsure=(Unsure(*(np.zeros_like(part) for part in unsure)),))
+    [by_coefficients] = told((alone,), made.final)[0].curves
+    rng = np.random.default_rng(2)
+    constant = float(unsure.std[0]) * rng.standard_normal(4000)
+    known = np.sqrt((found.laws[0].terms[0].coefficients[0].std or 0.0) ** 2 - float(unsure.added[0]))
+    slope = size + known * rng.standard_normal(4000) + float(unsure.by[0, 0]) * constant
+    drawn = slope * np.tanh(np.asarray(curve.at)[:, None] / (scale + constant))
+    np.testing.assert_allclose(curve.std, np.std(drawn, axis=1), rtol=0.15, atol=2e-5)
+    wider = np.asarray(curve.std) / np.maximum(by_coefficients.std, 1e-9)
+    assert np.max(wider[np.abs(curve.at) > 1]) > 1.2
+
+
+def test_the_page_says_what_else_was_tried_and_what_it_earns(found: Diagnosis) -> None:
+    law = found.laws[0]
+    assert law.forms_tried
+    assert law.forms_tried > 1000
+    assert law.runners_up
+    assert all(r.gain - r.charge < law.gain - law.charge for r in law.runners_up)
+    page = report.diagnosis(found)
+    part = page[page.index("What else was tried") :]
+    assert f"{law.forms_tried} forms" in part
+    for r in law.runners_up:
+        assert r.expression in html.unescape(part)
+        assert f"{r.gain - r.charge:.0f}" in part
+
+
+def test_every_term_of_a_law_has_its_curve(found: Diagnosis) -> None:
+    law = found.laws[0]
+    (curve,), (term,) = law.curves, law.terms
+    other = term.replace(target="joint", expression="c1*temperature")
+    two = law.replace(terms=(term, other), curves=(curve, curve.replace(term=1, state="temperature")))
+    page = report.diagnosis(found.replace(laws=(two,)))
+    assert page.count("<svg") == report.diagnosis(found).count("<svg") + 1
+    for t in (term, other):
+        assert f"<h3>{t.target}: {t.expression}</h3>" in page
+
+
 def test_what_geometry_leaves_is_of_the_rows_that_the_law_was_asked_of(made: Diagnosed) -> None:
     proof, problem = made.laws[0].proof, made.baseline.problem
     alone = fit(problem.subset(np.flatnonzero(proof.train)), Prior(), drop_gross=False, must_converge=False)
@@ -109,9 +158,6 @@ def test_what_geometry_leaves_is_of_the_rows_that_the_law_was_asked_of(made: Dia
 
 
 def test_the_page_shows_it_as_mathematics_with_its_curve(found: Diagnosis) -> None:
-    from deltacal_gen.pages import report
-    from deltacal_gen.pages.laws import mathml
-
     page = report.diagnosis(found)
     assert "A law that nobody has registered" in page
     assert "limb.rod goes with tension_1 at limb 2" in page

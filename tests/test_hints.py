@@ -20,7 +20,9 @@ from deltacal_gen.estimation.fit import fit
 from deltacal_gen.estimation.problem import Problem, pose_problem
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.machine.registry import Array, mechanism_of
+from deltacal_gen.pages import report
 from deltacal_gen.physics.terms import blank
+from deltacal_gen.results.diagnosis import Diagnosis, Hint, Verdict
 from tests.left_out import channels, effect, machine, record
 
 WEAK = 2  # seed of a recording on which play stays short of proof
@@ -140,3 +142,48 @@ def test_a_search_that_ends_at_its_limit_says_so(monkeypatch: pytest.MonkeyPatch
     found = diagnose(robot, record(robot, *two, of=channels(60, "approach"))).answer()
     assert len(found.effects) == 1
     assert any("the search ends at 1 effects: there is more" in hint.why for hint in found.hints)
+
+
+def test_all_that_earned_their_full_price_are_hints() -> None:
+    robot, of = machine(), channels(100, "approach", "temp", "payload")
+    several = (
+        effect("backlash", (2,), 0.02),
+        effect("joint_scale", (1,), 0.002),
+        effect("thermal_zero", (3,), 0.01),
+        effect("distal_compliance", (1,), 0.02),
+        effect("transmission_eccentricity", (2,), 0.01, 0.01, constants=(9.0,)),
+    )
+    made = record(robot, *several, n=100, of=of)
+    problem = pose_problem(robot, made, mechanism_of(robot).model("42"))
+    first = fit(problem, Prior(), drop_gross=False, must_converge=False)
+    terms = [problem.body.blank(t.effect, (1, 2, 3), t.constants) for t in several]
+    found = hinted(Search(first, terms), 0.0)
+    assert {h.term.effect for h in found} == {t.effect for t in several}
+
+
+def _earning(weak: Diagnosed, verdict: Verdict) -> Diagnosis:
+    hints = [
+        Hint(name=n, limbs=(2,), gain_chi2=40.0, p_value=1e-6, indistinguishable_from=(), why="", earned=e)
+        for n, e in (("backlash", True), ("zero_drift", False), ("joint_scale", True))
+    ]
+    return dataclasses.replace(weak, verdict=verdict, hints=tuple(hints)).answer()
+
+
+@pytest.mark.parametrize("verdict", ["missing_physics", "unexplained"])
+def test_what_earned_its_price_is_in_the_summary_whatever_the_verdict(weak: Diagnosed, verdict: str) -> None:
+    text = _earning(weak, Verdict(verdict)).summary
+    assert "There may also be backlash at limb 2 (p = 1e-06); joint_scale at limb 2 (p = 1e-06)" in text
+    assert "zero_drift" not in text
+
+
+def test_hints_stand_on_the_page_with_what_decides(weak: Diagnosed) -> None:
+    found = weak.answer()
+    page = report.diagnosis(found)
+    hint = found.hints[0]
+    [entry] = [n for n in found.next_measurements if n.separates == (hint.name,)]
+    part = page[page.index("What may be there besides") :]
+    for said in (f"{hint.name} at limb 2", f"{hint.gain_chi2:.0f}", report.power(hint.p_value), hint.why):
+        assert said in part
+    assert f"The {len(entry.poses)} poses below: {entry.expected_chi2:.0f} of chi²" in part
+    without = report.diagnosis(dataclasses.replace(weak, hints=()).answer())
+    assert "What may be there besides" not in without

@@ -56,7 +56,7 @@ def test_the_page_says_what_was_found_and_what_to_do(found: dict[str, Any]) -> N
     assert_self_contained(page)
     text = words(page)
     (p,) = found["effects"][0]["parameters"]
-    assert "Backlash at joint 2" in text
+    assert "Backlash at limb 2" in text
     assert load_effect("backlash").ADVICE in text
     assert text.count(report.measured(p["value"], p["std"])) == 2  # in the sentence and in the table
     assert f"{found['baseline']['heldout_rms_mm']:.4f}" in text

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import re
 from pathlib import Path
 
 import numpy as np
@@ -11,7 +12,17 @@ from test_serial import robot
 
 from deltacal_gen.app import commands
 from deltacal_gen.diagnosis.search import Search
-from deltacal_gen.diagnosis.spectrum import Spectrum, never_seen, periodic, seen, unseen, wave, words
+from deltacal_gen.diagnosis.spectrum import (
+    MOST_OUT,
+    STANDS_OUT,
+    Spectrum,
+    never_seen,
+    periodic,
+    seen,
+    unseen,
+    wave,
+    words,
+)
 from deltacal_gen.estimation.fit import fit
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import pose_problem
@@ -21,9 +32,11 @@ from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import robot_to_toml
 from deltacal_gen.identification.folds import folds
 from deltacal_gen.machine.registry import mechanism_of
+from deltacal_gen.pages import report
 from deltacal_gen.physics.terms import Term
 from deltacal_gen.results.diagnosis import Seen, SeenJoint
 from deltacal_gen.results.parts import NeverSeen
+from deltacal_gen.results.shown import rounded
 from deltacal_gen.units import DEG
 
 ORDERS = (2, 5, 9, 14, 20)
@@ -94,6 +107,34 @@ def test_the_error_is_known_to_the_standard_deviation_that_is_stated(found: Spec
         off = as_found - true
         off -= off.mean()  # a constant is the joint's zero
         assert 0.5 < np.std(off) / found.std[limb] < 1.6
+
+
+def test_the_orders_that_stand_out_are_those_that_are_there(found: Spectrum) -> None:
+    for j, limb in enumerate(JOINTS):
+        true = {k: float(np.hypot(*c[j])) * DEG for k, c in amplitudes().items()}
+        told = found.standing[limb]
+        assert told[0].order in ORDERS
+        assert max(true, key=lambda k: true[k]) in {s.order for s in told}
+        assert 2 <= len(told) <= MOST_OUT
+        assert {s.order for s in told if s.amplitude > 4 * s.std} <= set(ORDERS)
+        for s in told:
+            assert abs(s.amplitude - true.get(s.order, 0.0)) < 4 * s.std
+            assert s.amplitude > STANDS_OUT * s.std
+        assert [s.amplitude / s.std for s in told] == sorted((s.amplitude / s.std for s in told), reverse=True)
+
+
+def test_they_are_told_in_the_answer_in_words_and_on_the_page(found: Spectrum, tmp_path: Path) -> None:
+    path = taken(tmp_path, "poses", NOISE, concealed=True, seed=1)
+    answer = commands.diagnose(tmp_path / "robot.toml", path)
+    [many] = [e for e in answer.effects if e.orders is not None]
+    assert many.standing_out
+    assert {s.limb for s in many.standing_out} == set(JOINTS)
+    first = many.standing_out[0]
+    shown = rounded(first.amplitude_deg, first.std_deg)
+    assert f"clearest at orders: joint {first.limb} {first.order} ({shown[0]} +- {shown[1]} deg)" in answer.summary
+    page = re.sub(r"<[^>]*>\s*", " ", report.diagnosis(answer))
+    for s in many.standing_out:
+        assert f" {s.limb} {s.order} {report.measured(s.amplitude_deg, s.std_deg)} deg" in re.sub(" +", " ", page)
 
 
 def test_what_is_fitted_beside_is_as_unknown_as_the_orders_leave_it(tmp_path: Path) -> None:

@@ -29,7 +29,9 @@ from deltacal_gen.errors import DeltacalError, InputError, UsageError
 from deltacal_gen.execution import Outcome, Store, Task, Told, content_key, run
 from deltacal_gen.files.points import is_table_of_joints
 from deltacal_gen.files.recording import is_recording
+from deltacal_gen.files.robot import robot_of
 from deltacal_gen.files.writing import csv_text, write_files
+from deltacal_gen.machine.places import place_of
 from deltacal_gen.motion import kinds
 from deltacal_gen.pages import report
 from deltacal_gen.physics.law import PREFIX, load_law
@@ -431,9 +433,10 @@ def _figures(found: Answer) -> Json:
     if isinstance(found, MotionDiagnosis | MotionResult | MotionValidation):
         return _figures_of_drives(found)
     if isinstance(found, Diagnosis):
+        robot = robot_of(found.robot)
         return {
             "verdict": str(found.verdict),
-            "effects": "; ".join(f"{e.name} {' '.join(map(str, e.limbs))}".strip() for e in found.effects),
+            "effects": "; ".join(", ".join(filter(None, (e.name, place_of(robot, e.limbs)))) for e in found.effects),
             "model": found.baseline.model,
             "before_mm": found.baseline.heldout_rms_mm,
             "after_mm": found.final.heldout_rms_mm,

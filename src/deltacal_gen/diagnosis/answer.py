@@ -17,7 +17,7 @@ from deltacal_gen.diagnosis.harmonics import order_of
 from deltacal_gen.diagnosis.laws.laws import Lawful
 from deltacal_gen.diagnosis.laws.told import told
 from deltacal_gen.diagnosis.search import SCATTERED
-from deltacal_gen.diagnosis.spectrum import Spectrum, wave
+from deltacal_gen.diagnosis.spectrum import Spectrum, Standing, wave
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.files.robot import kept_robot
@@ -25,6 +25,7 @@ from deltacal_gen.identification.knowledge import uncertainty_of
 from deltacal_gen.identification.noise import Noise, noise_model
 from deltacal_gen.identification.unknowns import unknowns_of
 from deltacal_gen.instrument.kind import Instrument
+from deltacal_gen.machine.places import at, place_of
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.physics.law import PREFIX
 from deltacal_gen.physics.terms import (
@@ -53,13 +54,15 @@ from deltacal_gen.results.diagnosis import (
     Seen,
     SeenJoint,
     SmoothCorrection,
+    StandingOrder,
     Verdict,
 )
 from deltacal_gen.results.parts import InstrumentState, MachineState, Missing, Source
+from deltacal_gen.results.shown import rounded
 from deltacal_gen.units import DEG, joint_factors, joint_names
 
 SHORT = 2.0  # times the noise: a held-out error beyond it says that the geometry itself is hardly known
-MOST_TOLD = 3  # joints, and waves of each, of a smooth correction that the summary tells
+MOST_TOLD = 3  # that the summary tells: hints; joints, and waves of each, of a smooth correction; orders of a joint
 MOST_ODDS = 100.0  # that are told as a number
 WORTH_SAYING = 0.02  # p-value of a hint that the summary tells
 
@@ -141,6 +144,7 @@ def result_of(found: Diagnosed) -> Diagnosis:
         unit=unit and unit[0],
         unit_mm=unit and unit[1],
         parameters=unknowns.parameters or None,
+        turned=found.turned or None,
         laws=told(found.laws, final),
     )
 
@@ -254,6 +258,11 @@ def _periodic(found: Diagnosed, spectrum: Spectrum) -> Effect:
         limbs=spectrum.limbs,
         parameters=(*joints, EffectParameter(name="corner", limb=None, value=spectrum.corner, std=None, unit="1")),
         orders=(1, len(spectrum.terms)),
+        standing_out=tuple(
+            StandingOrder(limb=j, order=s.order, amplitude_deg=s.amplitude / DEG, std_deg=s.std / DEG)
+            for j, each in spectrum.standing.items()
+            for s in each
+        ),
         p_value=found.chance.of(gain - 2.0 * spectrum.corner * len(spectrum.limbs)),
         gain_chi2=gain,
         gain_by_limb={str(j): g for j, g in spectrum.gains.items()},
@@ -291,29 +300,39 @@ def _summary(found: Diagnosed) -> str:
             f"Nothing is missing: what the calibrated geometry leaves, {before:.4f} mm on held-out readings, "
             f"{_as_noise(found)}. Use the calibrated machine.{_hinted(found)}"
         )
-    turned = f" It may as well be {found.turned}: compare the signs of that column." if found.turned else ""
+    turned = f"It may be {found.turned}: compare the signs of that column first. " if found.turned else ""
     parts = []
     if found.spectrum is not None:
-        joints = ", ".join(map(str, found.spectrum.limbs))
-        parts.append(f"{load_effect(wave()).TITLE} of many orders ({wave()}) at joints {joints}")
-    for n in found.effects:
-        limbs = (
-            f" at limb{'s' if len(n.term.limbs) > 1 else ''} {', '.join(map(str, n.term.limbs))}"
-            if n.term.limbs
-            else ""
-        )
-        parts.append(f"{n.term.kernels.TITLE} ({n.term.effect}){limbs}")
+        where = at(found.robot, found.spectrum.limbs)
+        parts.append(f"{load_effect(wave()).TITLE} of many orders ({wave()}){where}{_standing_out(found)}")
+    parts += [f"{n.term.kernels.TITLE} ({n.term.effect}){at(found.robot, n.term.limbs)}" for n in found.effects]
     parts += _lawful(found)
     if found.verdict is Verdict.MISSING_PHYSICS:
         return (
-            f"Geometry alone leaves {before:.4f} mm on held-out readings. What is missing: {'; '.join(parts)}. "
-            f"With it {after:.4f} mm are left: that {_as_noise(found)}.{_alike(found.effects)}{turned}"
+            f"{turned}Geometry alone leaves {before:.4f} mm on held-out readings. What is missing: {'; '.join(parts)}. "
+            f"With it {after:.4f} mm are left: that {_as_noise(found)}.{_alike(found.effects)}{_hinted(found)}"
         )
     named = f" Proven beside it: {'; '.join(parts)}." if parts else ""
+    mismatch = "As recorded, a mismatch" if turned else "A mismatch"
     return (
-        f"A mismatch of {found.final.rms():.4f} mm is left that no registered effect explains: "
-        f"{found.location.text}.{named} {_corrected(found)}{turned}"
+        f"{turned}{mismatch} of {found.final.rms():.4f} mm is left that no registered effect explains: "
+        f"{found.location.text}.{named}{_hinted(found)} {_corrected(found)}"
     )
+
+
+def _standing_out(found: Diagnosed) -> str:
+    """Return which orders of each joint's periodic error stand out, with amplitudes and their deviations [deg]."""
+    each = {} if found.spectrum is None else found.spectrum.standing
+    told = [
+        f"{place_of(found.robot, [j])} {', '.join(f'{s.order} ({_amplitude(s)})' for s in some[:MOST_TOLD])}"
+        for j, some in each.items()
+        if some
+    ]
+    return f", clearest at orders: {'; '.join(told)}" if told else ", at no order clearly"
+
+
+def _amplitude(standing: Standing) -> str:
+    return f"{' +- '.join(rounded(standing.amplitude / DEG, standing.std / DEG))} deg"
 
 
 def _alike(effects: Sequence[Named]) -> str:
@@ -338,25 +357,33 @@ def _lawful(found: Diagnosed) -> list[str]:
         return []
     terms = []
     for t in found.laws[0].terms:
-        limbs = f" at limb{'s' if len(t.limbs) > 1 else ''} {', '.join(map(str, t.limbs))}" if t.limbs else ""
-        terms.append(t.effect.removeprefix(PREFIX).replace(" = ", " moves by ") + limbs)
+        terms.append(t.effect.removeprefix(PREFIX).replace(" = ", " moves by ") + at(found.robot, t.limbs))
     rivals = len(found.laws) - 1
     doubt = f" ({rivals} other law{'s' if rivals > 1 else ''} that these poses cannot tell from it)" if rivals else ""
     return [f"a law that nobody has registered: {' and '.join(terms)}{doubt}"]
 
 
 def _hinted(found: Diagnosed) -> str:
-    """Return what may be there all the same, as far as it earned its price."""
-    shown = [h for h in found.hints if h.p_value <= WORTH_SAYING]
+    """Return what may be there all the same, as far as it earned its price.
+
+    Where nothing else is missing the first is told though it did not quite, if chance hardly does as much.
+    """
+    calm = found.verdict is Verdict.ADEQUATE
+    shown = [h for n, h in enumerate(found.hints) if h.earned or (calm and n == 0 and h.p_value <= WORTH_SAYING)]
     if not shown:
         return ""
-    best = shown[0]
-    at = f" at limb{'s' if len(best.limbs) > 1 else ''} {', '.join(map(str, best.limbs))}" if best.limbs else ""
-    others = f" (or {' or '.join(best.indistinguishable_from)})" if best.indistinguishable_from else ""
-    return (
-        f" There may be {best.name}{at}{others}, which is not proven (p = {best.p_value:.1g}): what to measure next "
-        "would decide it."
-    )
+    told = "; ".join(f"{h.name}{at(found.robot, h.limbs)} ({_doubtful(h)})" for h in shown[:MOST_TOLD])
+    more = f" and {len(shown) - MOST_TOLD} more" if len(shown) > MOST_TOLD else ""
+    several = len(shown) > 1
+    why = f"earned {'their' if several else 'its'} price but {'are' if several else 'is'} not proven"
+    why = why if all(h.earned for h in shown) else "is not proven"
+    return f" There may {'' if calm else 'also '}be {told}{more}, which {why}: what to measure next would decide it."
+
+
+def _doubtful(hint: Hint) -> str:
+    """Return what else a hint may be, and how likely chance alone does as much."""
+    others = f"or {' or '.join(hint.indistinguishable_from)}, " if hint.indistinguishable_from else ""
+    return f"{others}p = {hint.p_value:.1g}"
 
 
 def _as_noise(found: Diagnosed) -> str:
@@ -407,8 +434,8 @@ def _corrected(found: Diagnosed) -> str:
     where, most = f"{names[0]} is", ""
     if len(names) > 1:
         on, where = "functions that each joint has of its own angle or travel", "joints and position are"
-        own = _functions(found.final.problem, made)[:MOST_TOLD]
-        most = f" Most of it: {'; '.join(map(_waves, own))}. No period is claimed over the range that was seen."
+        own = "; ".join(_waves(found.robot, f) for f in _functions(found.final.problem, made)[:MOST_TOLD])
+        most = f" Most of it: {own}. No period is claimed over the range that was seen."
         if found.final.repeats.rows > 1:
             most += " Rows that follow one another are alike: only the same poses on another day tell joints from time."
     return (
@@ -417,9 +444,9 @@ def _corrected(found: Diagnosed) -> str:
     )
 
 
-def _waves(own: JointFunction) -> str:
+def _waves(robot: Robot, own: JointFunction) -> str:
     if own.orders is not None:
         few = ", ".join(f"{order:.0f}" for order in own.orders[:MOST_TOLD])
-        return f"joint {own.limb} {own.joint_rms_deg:.4f} deg at about {few} waves a turn"
+        return f"{place_of(robot, [own.limb])} {own.joint_rms_deg:.4f} deg at about {few} waves a turn"
     few = ", ".join(f"{wave:.1f}" for wave in (own.waves_mm or ())[:MOST_TOLD])
-    return f"joint {own.limb} {own.joint_rms_mm:.4f} mm in waves of about {few} mm"
+    return f"{place_of(robot, [own.limb])} {own.joint_rms_mm:.4f} mm in waves of about {few} mm"

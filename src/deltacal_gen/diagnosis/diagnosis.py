@@ -23,7 +23,14 @@ from deltacal_gen.diagnosis.chance import Chance
 from deltacal_gen.diagnosis.charges import MARGIN
 from deltacal_gen.diagnosis.correction import BorneOut, borne_out_beside
 from deltacal_gen.diagnosis.discrimination import Question, next_measurements
-from deltacal_gen.diagnosis.findings import AMBIGUOUS, location_of, named_of, rejected_of, turned_of
+from deltacal_gen.diagnosis.findings import (
+    AMBIGUOUS,
+    location_of,
+    named_of,
+    only_turned,
+    rejected_of,
+    turned_of,
+)
 from deltacal_gen.diagnosis.hints import hinted, outweighed, told
 from deltacal_gen.diagnosis.laws.laws import Lawful, Sought, laws
 from deltacal_gen.diagnosis.laws.remainder import with_remainder
@@ -144,7 +151,7 @@ def diagnose(
         spectrum=spectrum,
         lean=lean,
         laws=lawful,
-        turned=turned_of(found.considered) if lawful or unexplained else "",
+        turned=turned_of(robot, found.considered) if lawful or unexplained else "",
         doubts=(*doubt, *checks.copied(recording)),
     )
 
@@ -290,12 +297,19 @@ def _by_law(white: tuple[Fit, Outcome], calm: tuple[Fit, Outcome], progress: Pro
     function of the pose.
     """
     beside, found = white[1], calm[1]
-    sought = laws(found, progress) if found.spectrum is None else Sought()
+    sought = _laws(found, progress) if found.spectrum is None else Sought()
     fewer = len(found.search.effects) < len(beside.search.effects)
     hidden = (beside.unexplained or fewer) and not found.unexplained and beside.spectrum is None is found.spectrum
-    if sought.laws or not hidden or not (instead := laws(beside, progress, doubted=fewer)).laws:
+    if sought.laws or not hidden or not (instead := _laws(beside, progress, fewer)).laws:
         return *calm, sought
     return (*white, instead) if instead.laws[0].cost < deviance(found) else (*calm, sought)
+
+
+def _laws(found: Outcome, progress: Progress, doubted: bool = False) -> Sought:
+    """Return the law that is borne out, but for one of what the direction of approach does: its sign is asked first."""
+    sought = laws(found, progress, doubted)
+    terms = sought.laws[0].terms if sought.laws else [sought.doubtful] if sought.doubtful is not None else []
+    return Sought() if only_turned(found.considered, terms) else sought
 
 
 def _held_out(found: Outcome, search: Search, lawful: Sequence[Lawful]) -> tuple[float, float]:

@@ -27,6 +27,7 @@ from deltacal_gen.diagnosis.candidates import (
 from deltacal_gen.diagnosis.designs import Duel, Refutation, choose
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
+from deltacal_gen.machine.places import place_of
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.law import PREFIX, Law
@@ -411,7 +412,8 @@ def _exploring(at: Fit, location: Location, rng: np.random.Generator) -> NextMea
     if recording.joints.shape[1] == 1 and np.isfinite(at.problem.readings.values).any(axis=0).sum() == 1:
         return _advice(PROFILE, TURNED_ROUND)
     if channel is None:
-        from_both = f", joint {location.limbs[0]} coming from either side" if len(location.limbs) == 1 else ""
+        joint = place_of(at.problem.robot, location.limbs, "joint") if len(location.limbs) == 1 else ""
+        from_both = f", {joint} coming from either side" if joint else ""
         text = (
             f"Repeat a few poses{from_both}, and record what may matter: time_s, temp_C, payload_kg and the direction "
             "in which each joint last moved (approach1 ...)."

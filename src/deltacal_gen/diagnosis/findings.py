@@ -13,13 +13,15 @@ from deltacal_gen.diagnosis.charges import MARGIN
 from deltacal_gen.diagnosis.library import unseen
 from deltacal_gen.diagnosis.refits import form, terms_of
 from deltacal_gen.diagnosis.scattering import scattering
-from deltacal_gen.diagnosis.search import Found, Search
+from deltacal_gen.diagnosis.search import Doubt, Found, Search
 from deltacal_gen.diagnosis.spectrum import Spectrum, wave
 from deltacal_gen.diagnosis.strategy import ALIKE
 from deltacal_gen.diagnosis.structure import Region, Structure, alike
 from deltacal_gen.diagnosis.unnamed import shifts
 from deltacal_gen.estimation.fitted import Fit
+from deltacal_gen.machine.places import place_of
 from deltacal_gen.machine.registry import Array
+from deltacal_gen.machine.values import Robot
 from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.law import is_law
 from deltacal_gen.physics.terms import (
@@ -146,7 +148,7 @@ def _where(
     else:
         text = f"the misfit depends on {first}"
     if limbs:
-        text += f", at limb{'s' if len(limbs) > 1 else ''} {', '.join(map(str, limbs))}"
+        text += f", at {place_of(at.problem.body.robot, limbs)}"
     if wandering:
         text += ", whose zero wanders" if limbs else ": the instrument, or its stand, wanders"
         text += " as a random walk does: its past does not foretell it"
@@ -228,18 +230,32 @@ def _warmings(time: Array) -> list[Array]:
     return [WARMED * since, *(WARMED * -np.expm1(-since / within) for within in WARMED_WITHIN)]
 
 
-def turned_of(considered: Sequence[Found]) -> str:
-    """Return in words what would explain the most, if the direction of approach counted the other way; "" if none.
+def turned_by(considered: Sequence[Found]) -> tuple[str, Doubt] | None:
+    """Return the effect that would explain the most if the direction of approach counted the other way; None if none.
 
     Readings of which the column has the wrong sign look like play of less than nothing.
     """
     most = max((f.gain for f in considered), default=0.0)
-    sizes = [(f.doubt.gain, f.term.effect, f.doubt) for f in considered if f.doubt and f.doubt.beyond.turned]
-    gain, name, doubt = max(sizes, key=lambda s: s[0], default=(0.0, "", None))
-    if doubt is None or gain < max(most, MARGIN):
+    sizes = [(f.term.effect, f.doubt) for f in considered if f.doubt and f.doubt.beyond.turned]
+    found = max(sizes, key=lambda s: s[1].gain, default=None)
+    return None if found is None or found[1].gain < max(most, MARGIN) else found
+
+
+def turned_of(robot: Robot, considered: Sequence[Found]) -> str:
+    """Return the same in words, with its size; "" where there is none."""
+    if (found := turned_by(considered)) is None:
         return ""
-    at = f" at limb {doubt.limb}" if doubt.limb else ""
-    return f"{name}{at} with a {doubt.beyond.name} of {-doubt.beyond.value:.3g} {doubt.beyond.unit}, if {TURNED}"
+    name, doubt = found
+    where = f" at {place_of(robot, [doubt.limb])}" if doubt.limb else ""
+    return f"{name}{where} with a {doubt.beyond.name} of {-doubt.beyond.value:.3g} {doubt.beyond.unit}, if {TURNED}"
+
+
+def only_turned(considered: Sequence[Found], law: Sequence[Term]) -> bool:
+    """Tell whether a law reads no more than the effect of `turned_by`: it is what the wrong sign does."""
+    if not law or (found := turned_by(considered)) is None:
+        return False
+    read = {s.base for s in read_by(load_effect(found[0]))}
+    return all({s.base for s in t.states} <= read for t in law)
 
 
 def rejected_of(considered: Sequence[Found], named: Sequence[Named], spectrum: Spectrum | None) -> tuple[Rejected, ...]:

@@ -13,8 +13,6 @@ from deltacal_gen.diagnosis.strategy import MOST_EFFECTS
 from deltacal_gen.physics.terms import Term
 from deltacal_gen.results.diagnosis import Hint
 
-MOST = 3  # of them that are told
-
 
 @dataclass(frozen=True)
 class Hinted:
@@ -52,10 +50,7 @@ def hinted(search: Search, ambiguous: float) -> list[Hinted]:
     """
     out: list[Hinted] = []
     beside = search
-    while len(out) < MOST:
-        ranked = beside.ranked()
-        if not ranked or ranked[0].score <= (MARGIN if out else 0.0):
-            break
+    while (ranked := beside.ranked()) and ranked[0].score > (MARGIN if out else 0.0):
         best = ranked[0]
         others = [f for f in ranked[1:] if f.score > max(best.score - ambiguous, 0.0)]
         out.append(Hinted(best, search.estimated(best.term), tuple(f.term.effect for f in others)))
@@ -93,6 +88,7 @@ def told(several: list[Hinted], search: Search, chance: Chance) -> tuple[Hint, .
             gain_chi2=h.found.gain,
             p_value=chance.of(h.found.score),
             indistinguishable_from=h.alike,
+            earned=h.found.score > MARGIN and not h.outweighed,
             why=_why(h, len(search.effects)),
         )
         for h in several

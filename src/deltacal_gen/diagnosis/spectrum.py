@@ -35,7 +35,18 @@ CORNER = 10.0  # order at which the search for the corner begins; it doubles and
 SAMPLE = 500  # readings at which the error's standard deviation is looked at
 ROUNDS = 200  # of the estimation of sizes, each of them cheap
 IDLE = 0.05  # of a joint's variance: so little is at the highest orders that nothing else could take it for its own
+STANDS_OUT = 2.0  # standard deviations of an amplitude: what is told of an order that is nearer to none helps nobody
+MOST_OUT = 5  # orders of a joint that are told
 SAME_NOISE = 1.5  # times: variances of noise that differ less weigh priors alike
+
+
+@dataclass(frozen=True)
+class Standing:
+    """An order that stands out of a spectrum: amplitude, and its standard deviation [rad]."""
+
+    order: int
+    amplitude: float
+    std: float
 
 
 @dataclass(frozen=True)
@@ -60,6 +71,8 @@ class Spectrum:
         RMS [mm] of readings that the fit has not seen, without and with the errors.
     covariance : (n + n_m, n + n_m) array
         Of what is fitted beside, parameters and the instrument's unknowns [mm, rad], the errors unknown as they are.
+    standing : dict
+        Of each joint: orders whose amplitude exceeds its standard deviation most, the clearest first.
     """
 
     terms: tuple[Term, ...]
@@ -71,6 +84,7 @@ class Spectrum:
     corner: float
     heldout: tuple[float, float]
     covariance: Array
+    standing: dict[int, tuple[Standing, ...]]
 
     @property
     def limbs(self) -> tuple[int, ...]:
@@ -128,7 +142,7 @@ def periodic(at: Fit, parts: Sequence[tuple[np.ndarray, np.ndarray]], known: Spe
     better = better[np.bincount(problem.readings.group) > 0]
     if better.sum() <= PROVEN * float(np.std(better)) * np.sqrt(len(better)):
         return None
-    values, size, std = linear.solved(found)
+    values, size, std, standing = linear.solved(found)
     return Spectrum(
         tuple(Term(wave(), tuple(limbs), values[k - 1], (float(k),)) for k in range(1, ORDERS + 1)),
         tuple(np.full((len(limbs), 2), v**0.5) for v in found.variance * _carrying(_shape(found.corner))),
@@ -139,7 +153,25 @@ def periodic(at: Fit, parts: Sequence[tuple[np.ndarray, np.ndarray]], known: Spe
         found.corner,
         (rms(before), rms(after)),
         linear.covariance(found),
+        standing,
     )
+
+
+def _standing(values: Array, covariance: np.ndarray) -> tuple[Standing, ...]:
+    """Return the orders of a joint whose amplitude exceeds its standard deviation most, the clearest first.
+
+    Parameters
+    ----------
+    values, covariance : (2 orders,), (2 orders, 2 orders) array
+        Cosine and sine, order by order [rad].
+    """
+    found = []
+    for k in range(ORDERS):
+        own, amplitude = slice(2 * k, 2 * k + 2), float(np.hypot(*values[2 * k : 2 * k + 2]))
+        along = values[own] / max(amplitude, 1e-300)
+        found.append(Standing(k + 1, amplitude, float(np.sqrt(along @ covariance[own, own] @ along))))
+    out = sorted((s for s in found if s.amplitude > STANDS_OUT * s.std), key=lambda s: -s.amplitude / s.std)
+    return tuple(out[:MOST_OUT])
 
 
 def seen(turn: Array, corner: float) -> list[tuple[float, float]]:
@@ -371,19 +403,22 @@ class _Linear:
         evidence = -0.5 * (self._scalars * np.log(found.noise) + 2 * np.log(np.diag(L)).sum() + left / found.noise)
         return 2 * float(found.evidence - evidence)
 
-    def solved(self, found: _Sized) -> tuple[Array, dict[int, float], dict[int, float]]:
-        """Return coefficients (orders, joints, 2) [rad]; rms and standard deviation of each joint's error [rad]."""
+    def solved(
+        self, found: _Sized
+    ) -> tuple[Array, dict[int, float], dict[int, float], dict[int, tuple[Standing, ...]]]:
+        """Return coefficients (orders, joints, 2) [rad]; of each joint rms and standard deviation [rad], and orders."""
         own = self._places(found.limbs) - self._n - 1
         S, g, _ = self._whole
         inverse = np.linalg.inv(S[np.ix_(own, own)] + np.diag(self._prior(found)))
         values, m = inverse @ g[own], 2 * ORDERS
-        size, std = {}, {}
+        size, std, standing = {}, {}, {}
         for i, j in enumerate(found.limbs):
             F, part = self._F[self._limbs.index(j)], slice(m * i, m * (i + 1))
             size[j] = float(np.std(F @ values[part]))
             F = F[:: max(len(F) // SAMPLE, 1)]
             std[j] = float(np.sqrt(found.noise * np.mean(((F @ inverse[part, part]) * F).sum(axis=1))))
-        return np.swapaxes(values.reshape(len(found.limbs), ORDERS, 2), 0, 1), size, std
+            standing[j] = _standing(values[part], found.noise * inverse[part, part])
+        return np.swapaxes(values.reshape(len(found.limbs), ORDERS, 2), 0, 1), size, std, standing
 
     def covariance(self, found: _Sized) -> Array:
         """Return the covariance of what is fitted beside orders that are as unknown as the readings leave them."""

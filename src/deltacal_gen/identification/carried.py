@@ -18,7 +18,9 @@ from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.residuals import lengths
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.identification.folds import folds
+from deltacal_gen.machine.places import at
 from deltacal_gen.machine.registry import Array
+from deltacal_gen.machine.values import Robot
 from deltacal_gen.physics.terms import Term, load_effect, of_reading, without_rows
 from deltacal_gen.results.parts import Missing
 from deltacal_gen.states import TIME
@@ -90,10 +92,10 @@ def borne_out(problem: Problem, first: Fit) -> tuple[tuple[Term, ...], tuple[Mis
         part, best = min(others, key=lambda found: _typical(found[1]))
         if _typical(best) >= _typical(now):
             break
-        dropped.append(_told(part, now, best))
+        dropped.append(_told(problem.robot, part, now, best))
         held, now = _without(held, part), best
     if held and _typical(alone := judged(())) <= _typical(now):
-        dropped += [_told(part, now, alone) for part in _parts(held)]
+        dropped += [_told(problem.robot, part, now, alone) for part in _parts(held)]
         held = ()
     return held, tuple(dropped)
 
@@ -125,9 +127,9 @@ def _without(held: Sequence[Term], part: Part) -> tuple[Term, ...]:
     return tuple(out)
 
 
-def _told(part: Part, with_it: Array, without: Array) -> Missing:
+def _told(robot: Robot, part: Part, with_it: Array, without: Array) -> Missing:
     name, limb = part
-    where = "" if limb is None else f" at joint {limb}"
+    where = "" if limb is None else at(robot, [limb])
     before, after = (float(np.sqrt(_typical(squares) / 3)) for squares in (with_it, without))
     return Missing(
         name=name,

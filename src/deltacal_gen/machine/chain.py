@@ -52,7 +52,7 @@ class Chain(Machine):
         As the robot file lists them, from the base.
     """
 
-    sort = "an open chain"
+    sort, part = "an open chain", "joint"
     layers = (1, -1)  # a workspace stands on the base plane
     platform = asks = COORDINATES
     axes = turns = ("x", "y", "z")

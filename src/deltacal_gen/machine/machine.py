@@ -104,6 +104,8 @@ class Machine(ABC):
         What it is, and who described it.
     limbs : int
         Joints that are commanded, n_q.
+    part : str
+        What one of its limbs is called: ``limb``, ``tower``, ``leg``, ``joint``.
     joint_unit : str
         ``rad`` or ``mm``; of joints of both kinds one each, with commas.
     layers : (int, int)
@@ -141,6 +143,7 @@ class Machine(ABC):
     title: str
     reference: str
     limbs: int
+    part: str
     joint_unit: str
     layers: tuple[int, int]
     platform: tuple[str, ...]

@@ -23,15 +23,18 @@ from matplotlib.ticker import PercentFormatter
 from deltacal_gen.files.robot import robot_of
 from deltacal_gen.files.writing import staging
 from deltacal_gen.instrument.kinds import POINTS, kind_of
+from deltacal_gen.machine.places import at
 from deltacal_gen.machine.registry import Array, mechanism_of
+from deltacal_gen.machine.values import Robot
 from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.channels import Channels
 from deltacal_gen.physics.reading import reading_shift
 from deltacal_gen.physics.terms import term_of
 from deltacal_gen.results.base import shown_in
 from deltacal_gen.results.batch import Done
-from deltacal_gen.results.diagnosis import Baseline, Diagnosis, Effect, Final, Verdict
+from deltacal_gen.results.diagnosis import Baseline, Diagnosis, Effect, Final, Hint, Verdict
 from deltacal_gen.results.motion import MotionStudy
+from deltacal_gen.results.parts import EffectName
 from deltacal_gen.results.result import Result, Status
 from deltacal_gen.results.study import Advice, Position, Study, Suspect
 from deltacal_gen.states import of_column
@@ -426,7 +429,10 @@ def diagnosis(found: Diagnosis) -> Sheet:
         title = {
             Verdict.ADEQUATE: "nothing is missing",
             Verdict.MISSING_PHYSICS: "; ".join(
-                [*("a law that nobody has registered" for _ in found.laws[:1]), *(named(e) for e in found.effects)]
+                [
+                    *("a law that nobody has registered" for _ in found.laws[:1]),
+                    *(named(e, robot_of(found.robot)) for e in found.effects),
+                ]
             ),
             Verdict.UNEXPLAINED: "a mismatch that no known effect explains",
         }[found.verdict]
@@ -434,12 +440,9 @@ def diagnosis(found: Diagnosis) -> Sheet:
     return figure
 
 
-def named(effect: Effect) -> str:
-    """Return an effect and where it sits."""
-    limbs = effect.limbs
-    numbers = " and ".join(filter(None, (", ".join(map(str, limbs[:-1])), str(limbs[-1])))) if limbs else ""
-    where = f" at joint{'s' if len(limbs) > 1 else ''} {numbers}" if limbs else ""
-    return f"{effect.name.replace('_', ' ')}{where}"
+def named(effect: Effect | EffectName | Hint, robot: Robot, part: str | None = None) -> str:
+    """Return an effect and where it sits; see `place_of`."""
+    return f"{effect.name.replace('_', ' ')}{at(robot, effect.limbs, part)}"
 
 
 # ------------------------------------------------------------------------------------------------- studies and fleets

@@ -4,14 +4,18 @@ from __future__ import annotations
 
 import ast
 import html
+from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 
+from deltacal_gen.machine import places
+from deltacal_gen.machine.values import Robot
 from deltacal_gen.pages.figures import AFTER, BEFORE, MUTED
 from deltacal_gen.physics.formula import formula
-from deltacal_gen.results.diagnosis import LawOf, LawTerm
+from deltacal_gen.results.diagnosis import LawCurve, LawOf, LawTerm, RunnerUp
 from deltacal_gen.results.shown import rounded
 
 WITHIN = 1.96  # standard deviations of the band: 95 %
@@ -19,21 +23,20 @@ _SIGNS = {ast.Lt: "&lt;", ast.LtE: "≤", ast.Gt: "&gt;", ast.GtE: "≥"}
 _BINDS = {ast.Add: 1, ast.Sub: 1, ast.Mult: 2, ast.Div: 3, ast.Pow: 4}
 
 
-def where(term: LawTerm) -> str:
+def where(term: LawTerm, robot: Robot) -> str:
     """Return at which limbs a term sits, in words."""
-    limbs, part = term.limbs, part_of(term)
-    return f" at {part}{'s' if len(limbs) > 1 else ''} {', '.join(map(str, limbs))}" if limbs else ""
+    return places.at(robot, term.limbs, _part(term, robot))
 
 
-def part_of(term: LawTerm) -> str:
+def _part(term: LawTerm | RunnerUp, robot: Robot) -> str:
     """Return what the limbs of a term are called: drives are of joints."""
-    return "joint" if term.target == "torque" else "limb"
+    return "joint" if term.target == "torque" else places.part_of(robot)
 
 
-def headline(law: LawOf) -> str:
+def headline(law: LawOf, robot: Robot) -> str:
     """Return a law in a few words."""
     return "A law that nobody has registered: " + " and ".join(
-        f"{t.target} goes with {' and '.join(_states(t))}{where(t)}" for t in law.terms
+        f"{t.target} goes with {' and '.join(_states(t))}{where(t, robot)}" for t in law.terms
     )
 
 
@@ -47,12 +50,12 @@ def _states(term: LawTerm) -> tuple[str, ...]:
     return tuple(n for n in formula(term.expression).names if n not in own)
 
 
-def rows(law: LawOf) -> list[tuple[str, ...]]:
+def rows(law: LawOf, robot: Robot) -> list[tuple[str, ...]]:
     """Return the numbers of a law, as a table has them."""
     return [
         (
             t.target,
-            "" if c.limb is None else str(c.limb),
+            "" if c.limb is None else places.number_of(robot, c.limb),
             c.name,
             _number(c.value, c.std),
             "" if c.unit == "1" else c.unit,
@@ -139,11 +142,22 @@ def _bracketed(inside: str, needed: bool) -> str:
     return f"<mrow><mo>(</mo>{inside}<mo>)</mo></mrow>" if needed else f"<mrow>{inside}</mrow>"
 
 
-def along(axes: Axes, law: LawOf) -> None:
-    """Draw a law along its first state: what the readings say, the curve, and its band of 95 %."""
-    curve = law.curve
-    if curve is None:
-        return
+def drawn(law: LawOf, draw: Callable[[Callable[[Axes], None]], str]) -> list[dict[str, str]]:
+    """Return the picture of every term that has one, with its title where there are several terms."""
+    curves = law.curves or ((law.curve,) if law.curve is not None else ())
+    several = len(law.terms) > 1
+    return [
+        {"title": _short(law.terms[c.term]) if several else "", "svg": draw(partial(along, law=law, curve=c))}
+        for c in curves
+    ]
+
+
+def _short(term: LawTerm) -> str:
+    return f"{term.target}: {term.expression}"
+
+
+def along(axes: Axes, law: LawOf, curve: LawCurve) -> None:
+    """Draw a term of a law along its first state: what the readings say, the curve, and its band of 95 %."""
     at, value = np.asarray(curve.at), np.asarray(curve.value)
     band = WITHIN * np.asarray(curve.std)
     axes.plot(curve.seen, curve.partial, "o", ms=3.0, mew=0, alpha=0.6, color=BEFORE)
@@ -154,23 +168,35 @@ def along(axes: Axes, law: LawOf) -> None:
     low, high = np.percentile(np.asarray(curve.partial), (1, 99))
     axes.set_ylim(min(low, value.min()) - 0.1 * wide, max(high, value.max()) + 0.1 * wide)
     axes.set_xlabel(f"{curve.state}{'' if curve.unit == '1' else f', {curve.unit}'}")
-    axes.set_ylabel(f"{law.terms[0].target}, {curve.target_unit}")
+    axes.set_ylabel(f"{law.terms[curve.term].target}, {curve.target_unit}")
 
 
-def described(law: LawOf, others: tuple[LawOf, ...], heldout: str, remainder: float | None = None) -> dict[str, Any]:
+def described(
+    law: LawOf, others: tuple[LawOf, ...], heldout: str, robot: Robot, remainder: float | None = None
+) -> dict[str, Any]:
     """Return what a page says of a law beside its picture; `heldout` is what is left of readings, with the unit."""
     seen = ", ".join(f"{s} {low:.4g} to {high:.4g}" for s, (low, high) in law.range.items())
     return {
         "mathematics": mathematics(law),
-        "rows": rows(law),
-        "places": [f"{t.target}{where(t)}" for t in law.terms],
+        "rows": rows(law, robot),
+        "places": [f"{t.target}{where(t, robot)}" for t in law.terms],
         "range": seen,
-        "part": part_of(law.terms[0]),
+        "part": _part(law.terms[0], robot),
         "heldout": heldout,
         "share": f"{law.share_of_excess:.0%}",
         "gain": f"{law.gain:.0f}",
         "charge": f"{law.charge:.0f}",
         "remainder": None if remainder is None else f"{remainder:.4f}",
         "alike": list(law.alike),
-        "others": [" and ".join(f"{t.target} by {t.expression}{where(t)}" for t in o.terms) for o in others],
+        "tried": law.forms_tried,
+        "runners_up": [
+            (
+                f"{r.target} by {r.expression}{places.at(robot, r.limbs, _part(r, robot))}",
+                f"{r.gain:.0f}",
+                f"{r.charge:.0f}",
+                f"{r.gain - r.charge:.0f}",
+            )
+            for r in law.runners_up
+        ],
+        "others": [" and ".join(f"{t.target} by {t.expression}{where(t, robot)}" for t in o.terms) for o in others],
     }

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 
+from deltacal_gen.files.robot import robot_of
 from deltacal_gen.motion.payload import ADVICE, PAYLOAD
 from deltacal_gen.pages import laws, report
 from deltacal_gen.pages.figures import AFTER, BEFORE, MUTED
@@ -121,8 +122,8 @@ def _law(found: MotionDiagnosis) -> dict[str, object] | None:
     law = found.laws[0]
     each = enumerate(zip(law.heldout_rms_by_joint, law.unit_by_joint, strict=True), 1)
     left = ", ".join(f"{value:.4g} {unit} of joint {j}" for j, (value, unit) in each if value is not None)
-    picture = "" if law.curve is None else report.picture(partial(laws.along, law=law), LAW)
-    return laws.described(law, (), left) | {"svg": picture}
+    pictures = laws.drawn(law, lambda draw: report.picture(draw, LAW))
+    return laws.described(law, (), left, robot_of(found.robot)) | {"pictures": pictures}
 
 
 def _step(effect: TorqueEffect) -> str:

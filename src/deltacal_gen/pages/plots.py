@@ -94,7 +94,7 @@ def _study(found: Study) -> Sheet:
     if found.position is None or found.advice is None:
         from deltacal_gen.pages import studies
 
-        tried = studies.tried(found.suspects)
+        tried = studies.tried(found)
         figure, axes = figures.sheet(1, 1, (7.4, 0.9 + 0.3 * len(tried)))
         figures.chances(axes, tried)
         return figure

@@ -21,7 +21,9 @@ import numpy as np
 from markupsafe import Markup
 
 from deltacal_gen.files.robot import robot_of
+from deltacal_gen.machine.places import number_of, part_of
 from deltacal_gen.machine.registry import mechanism_of
+from deltacal_gen.machine.values import Robot
 from deltacal_gen.pages import figures, laws
 from deltacal_gen.pages.figures import AFTER, BEFORE, INK, MUTED, RAISED, STYLE, mpl
 from deltacal_gen.pages.left import Left, in_order, places, spread
@@ -49,7 +51,17 @@ _PAPER = {"var(--card)": "#ffffff", "var(--paper)": "#ffffff", "var(--good)": "#
 MOST_DRAWN = 60  # recordings of a batch, each with its line; of more, their distribution
 FAILED = {"verdict": "failed"}  # in the columns of a recording that could not be done
 MOST_ROWS = 500  # of a table on a page: 10^5 would be 20 MB, which no browser likes
-_NUMERIC = {"value ± standard deviation", "gain in chi²", "value", "takes away", "recordings", "said so"}
+_NUMERIC = {
+    "value ± standard deviation",
+    "amplitude ± standard deviation",
+    "p",
+    "order",
+    "gain in chi²",
+    "value",
+    "takes away",
+    "recordings",
+    "said so",
+}
 _NUMERIC |= {
     "drawn with",
     "simulated",
@@ -59,7 +71,7 @@ _NUMERIC |= {
     "degrees of freedom",
     "share of variance",
 }  # and lengths
-_NUMERIC |= {"as drawn", "identified", "95 % of machines", "readings"}
+_NUMERIC |= {"chance and search", "earns", "as drawn", "identified", "95 % of machines", "readings"}
 _VERDICTS = {
     Verdict.ADEQUATE: "nothing is missing",
     Verdict.MISSING_PHYSICS: "missing physics found",
@@ -74,7 +86,7 @@ _NOISE = {
 
 def diagnosis(found: Diagnosis) -> str:
     """Return the page of a DIAGNOSIS.json."""
-    machine = found.robot.robot.name
+    machine, robot = found.robot.robot.name, robot_of(found.robot)
     channel = figures.main_channel(found)
     left = "with what was found" if found.effects or found.laws else "what geometry leaves"
     before = {"map": "geometry alone", "channel": figures.seen(found).title} if found.effects or found.laws else {}
@@ -103,14 +115,21 @@ def diagnosis(found: Diagnosis) -> str:
         if positions
         else [],
         law=_law(found),
+        part=part_of(robot),
         effects=_effects(found),
-        parameters=[_parameter(e, p) for e in found.effects for p in e.parameters],
+        parameters=[_parameter(e, p, robot) for e in found.effects for p in e.parameters],
+        orders=[
+            (number_of(robot, s.limb), str(s.order), measured(s.amplitude_deg, s.std_deg), "deg")
+            for e in found.effects
+            for s in e.standing_out or ()
+        ],
+        hints=_hints(found, robot),
         rejected=[(spaced(r.name), f"{r.gain_chi2:.0f}", r.why) for r in found.rejected],
         next=[_question(n) for n in found.next_measurements],
         not_tested=[(spaced(t.name), t.missing) for t in found.not_tested],
         gross=", ".join(map(str, found.gross_errors)),
         readings=len(found.residuals.line),
-        geometry=len(mechanism_of(robot_of(found.robot)).model(found.baseline.model)),
+        geometry=len(mechanism_of(robot).model(found.baseline.model)),
     )
 
 
@@ -315,14 +334,16 @@ def sentence(text: str) -> str:
 
 
 def _headline(found: Diagnosis) -> str:
-    effects = found.effects
+    effects, robot = found.effects, robot_of(found.robot)
     if found.verdict is Verdict.ADEQUATE:
         return "The calibrated geometry explains these readings"
     if found.verdict is Verdict.UNEXPLAINED:
-        beside = f" beside {' and '.join(figures.named(e) for e in effects)}" if effects else ""
+        if found.turned:
+            return "The direction of approach may count the other way"
+        beside = f" beside {' and '.join(figures.named(e, robot) for e in effects)}" if effects else ""
         return f"Something{beside} that no known effect explains"
-    told = [laws.headline(law) for law in found.laws[:1]]
-    return sentence(" and ".join([*told, *(figures.named(e) for e in effects)]))
+    told = [laws.headline(law, robot) for law in found.laws[:1]]
+    return sentence(" and ".join([*told, *(figures.named(e, robot) for e in effects)]))
 
 
 def _lead(found: Diagnosis) -> str:
@@ -337,7 +358,8 @@ def _lead(found: Diagnosis) -> str:
             f"Geometry alone leaves {before} on held-out readings, {after} are left in the end, and the "
             f"noise is {sigma}. {sentence(found.location.text)}."
         )
-    told = [f"{t.target} moves by {t.expression}{laws.where(t)}" for law in found.laws[:1] for t in law.terms]
+    robot = robot_of(found.robot)
+    told = [f"{t.target} moves by {t.expression}{laws.where(t, robot)}" for law in found.laws[:1] for t in law.terms]
     parts = "; ".join([*told, *(_in_numbers(e) for e in found.effects)])
     return (
         f"{sentence(parts)}. With it the error on held-out readings falls from {before} to {after}; "
@@ -350,9 +372,11 @@ def _law(found: Diagnosis) -> dict[str, object] | None:
     if not found.laws:
         return None
     best, *others = found.laws
-    picture = "" if best.curve is None else _svg(partial(laws.along, law=best), (6.4, 3.0))
+    pictures = laws.drawn(best, lambda draw: _svg(draw, (6.4, 3.0)))
     left = f"{best.heldout_rms_mm:.4f} mm"
-    return laws.described(best, tuple(others), left, best.remainder_rms_mm) | {"svg": picture}
+    return laws.described(best, tuple(others), left, robot_of(found.robot), best.remainder_rms_mm) | {
+        "pictures": pictures
+    }
 
 
 def _heldout(fit: Baseline | Final) -> float:
@@ -377,9 +401,11 @@ def _in_numbers(effect: Effect) -> str:
 def _steps(found: Diagnosis) -> list[dict[str, str]]:
     """Return what to do now, with the command where there is one."""
     steps: list[dict[str, str]] = []
+    if found.turned:
+        steps.append({"text": f"Compare the signs of the approach columns: it may be {found.turned}.", "command": ""})
     for effect in found.effects:
         advice = load_effect(effect.name).ADVICE
-        steps.append({"text": f"{sentence(figures.named(effect))}: {advice}", "command": ""})
+        steps.append({"text": f"{sentence(figures.named(effect, robot_of(found.robot)))}: {advice}", "command": ""})
     if found.laws:
         text = f"{LAW_ADVICE} To know it by a name from now on, write it as an effect and fill in what it is:"
         again = "deltacal diagnose ROBOT.toml RECORDING.csv --write-effect NAME.py"
@@ -402,8 +428,8 @@ def _steps(found: Diagnosis) -> list[dict[str, str]]:
     return steps
 
 
-def _parameter(effect: Effect, p: EffectParameter) -> tuple[str, ...]:
-    joint = "" if p.limb is None else str(p.limb)
+def _parameter(effect: Effect, p: EffectParameter, robot: Robot) -> tuple[str, ...]:
+    joint = "" if p.limb is None else number_of(robot, p.limb)
     return (
         spaced(effect.name),
         joint,
@@ -411,6 +437,31 @@ def _parameter(effect: Effect, p: EffectParameter) -> tuple[str, ...]:
         measured(p.value, p.std),
         "" if p.unit == "1" else p.unit,
     )
+
+
+def _hints(found: Diagnosis, robot: Robot) -> list[tuple[str, ...]]:
+    """Return what may be there: what speaks for it, what is alike, what is wanting, and what decides."""
+    rows: list[tuple[str, ...]] = []
+    for k, hint in enumerate(found.hints):
+        before = sum(other.name == hint.name for other in found.hints[:k])
+        settles = [n for n in found.next_measurements if n.separates == (hint.name,)][before : before + 1]
+        text = "".join(n.text for n in settles) or "Other poses, and channels that were not recorded."
+        for n in settles:
+            if n.poses:
+                text = f"The {len(n.poses)} poses below" + (
+                    f": {n.expected_chi2:.0f} of chi²" if n.expected_chi2 else ""
+                )
+        rows.append(
+            (
+                figures.named(hint, robot),
+                f"{hint.gain_chi2:.0f}",
+                power(hint.p_value),
+                ", ".join(map(spaced, hint.indistinguishable_from)),
+                hint.why,
+                text,
+            )
+        )
+    return rows
 
 
 def _question(n: NextMeasurement) -> dict[str, object]:

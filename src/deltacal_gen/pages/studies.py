@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from functools import partial
 from typing import Any
 
 import numpy as np
 
+from deltacal_gen.files.robot import robot_of
 from deltacal_gen.pages import figures, report
 from deltacal_gen.results.base import shown_in
 from deltacal_gen.results.motion import MotionStudy, TorqueAddition, by_limb
@@ -79,8 +79,8 @@ def _suspected(found: Study) -> dict[str, Any]:
     return {
         "unit": unit,
         "noise": found.noise_told,
-        "suspects": [_suspect(s, length) for s in found.suspects],
-        "chances": _chances(found.suspects),
+        "suspects": [_suspect(s, found, length) for s in found.suspects],
+        "chances": _chances(found),
     }
 
 
@@ -121,8 +121,8 @@ def _of_drives(found: MotionStudy) -> str:
             )
             for a in found.add
         ],
-        suspects=[_suspect(s)[:5] for s in found.suspects],
-        chances=_chances(found.suspects),
+        suspects=[_suspect(s, found)[:5] for s in found.suspects],
+        chances=_chances(found),
         parameters=report.picture(partial(figures.scatter, found=found), (7.4, 3.0)),
         rows=[
             (
@@ -161,33 +161,33 @@ def _to_find(found: Study) -> list[str]:
         steps.append(f"To find {report.spaced(c.name)} at all, the plan needs {c.missing}.")
     for s in found.suspects:
         if s.effects and s.interval[0] < 0.5 and s.next:
-            steps.append(f"To be surer of {_concealed(s)}: {s.next[0]}")
+            steps.append(f"To be surer of {_concealed(s, found)}: {s.next[0]}")
     return steps
 
 
-def _chances(suspects: Sequence[Suspect]) -> str:
+def _chances(found: Study | MotionStudy) -> str:
     """Return a picture of how often each suspicion was named; nothing where none was concealed."""
-    drawn = tried(suspects)
+    drawn = tried(found)
     size = (7.4, 0.9 + 0.3 * len(drawn))
     return report.picture(partial(figures.chances, suspects=drawn), size) if drawn else ""
 
 
-def tried(suspects: Sequence[Suspect]) -> list[tuple[str, Suspect]]:
+def tried(found: Study | MotionStudy) -> list[tuple[str, Suspect]]:
     """Return the suspicions of which there are recordings, each behind its words."""
-    return [(_concealed(s), s) for s in suspects if s.recordings]
+    return [(_concealed(s, found), s) for s in found.suspects if s.recordings]
 
 
-def _concealed(suspect: Suspect) -> str:
-    words = [f"{report.spaced(e.name)} {', '.join(map(str, e.limbs))}".strip() for e in suspect.effects]
-    return " and ".join(words) or "nothing"
+def _concealed(suspect: Suspect, found: Study | MotionStudy) -> str:
+    robot, part = robot_of(found.robot), "joint" if isinstance(found, MotionStudy) else None
+    return " and ".join(figures.named(e, robot, part) for e in suspect.effects) or "nothing"
 
 
-def _suspect(s: Suspect, length: float = 1.0) -> tuple[str, ...]:
+def _suspect(s: Suspect, found: Study | MotionStudy, length: float = 1.0) -> tuple[str, ...]:
     low, high = s.interval
     instead = "; ".join(f"{words} ({count})" for words, count in s.instead.items()) or "-"
     held_out = [f"{v / length:.4f}" if v is not None else "-" for v in (s.before_mm, s.after_mm)]
     return (
-        _concealed(s),
+        _concealed(s, found),
         str(s.recordings),
         str(s.named_right),
         f"{low:.0%} to {high:.0%}",

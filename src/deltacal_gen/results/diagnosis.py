@@ -114,6 +114,15 @@ class EffectParameter(Value):
         return " of ".join(filter(None, (self.name, point, self.setup)))
 
 
+class StandingOrder(Value):
+    """An order of a joint's periodic error whose amplitude stands out of its standard deviation [deg]."""
+
+    limb: int
+    order: int
+    amplitude_deg: float
+    std_deg: float
+
+
 class Effect(Value):
     """An effect that was found."""
 
@@ -126,6 +135,8 @@ class Effect(Value):
     """The first and the last, of a periodic error of many orders."""
     harmonic_of: float | None = None
     """Order of the fundamental with which it is one finding: a periodic error that is no sine."""
+    standing_out: tuple[StandingOrder, ...] | None = None
+    """Of one of many orders: those that carry most for how well they are known, joint by joint, the clearest first."""
     p_value: float
     """Probability that noise alone lets the best of all forms of all effects earn so much."""
     gain_chi2: float
@@ -169,6 +180,20 @@ class LawCurve(Value):
     """The state at the readings."""
     partial: Column
     """What the readings say there."""
+    term: int = 0
+    """Which of the law's terms it is of, from 0."""
+
+
+class RunnerUp(Value):
+    """A form that was tried in place of a law's last term, and what it earns."""
+
+    target: str
+    limbs: tuple[int, ...]
+    expression: str
+    gain: float
+    """In chi2, beside all else that is fitted."""
+    charge: float
+    """What chance and the search for it account for."""
 
 
 class LawOf(Value):
@@ -186,6 +211,13 @@ class LawOf(Value):
     """Laws that these readings cannot tell from it."""
     borne_out: bool
     curve: LawCurve | None = None
+    """Of its first term."""
+    curves: tuple[LawCurve, ...] = ()
+    """Of every term that has one: what lags has none."""
+    forms_tried: int | None = None
+    """Among so many, place by place, its last term was chosen; null of rivals."""
+    runners_up: tuple[RunnerUp, ...] = ()
+    """Of these the best, but for what cannot be told from it."""
 
 
 class Law(LawOf):
@@ -208,6 +240,8 @@ class Hint(Value):
     indistinguishable_from: tuple[str, ...]
     why: str
     """What is wanting; `next_measurements` holds what would decide it."""
+    earned: bool = False
+    """Whether it earned its full price beside all that was named."""
 
 
 class Rejected(Value):
@@ -364,6 +398,8 @@ class Diagnosis(Answer):
     motion: SeriesMade | None = None
     """Of a recording with two clocks."""
     made: Made | None = None
+    turned: str | None = None
+    """What would explain the most if the direction of approach counted the other way, in words; null for none."""
     laws: tuple[Law, ...] = ()
     """What was found where no registered effect explains the misfit, the best first; it stands in `physics`."""
 

@@ -25,6 +25,7 @@ from deltacal_gen.errors import UsageError
 from deltacal_gen.files.writing import write_files
 from deltacal_gen.identification.accuracy import turned, workspace_of
 from deltacal_gen.machine.backend import Backend, using
+from deltacal_gen.machine.places import at
 from deltacal_gen.machine.registry import COORDINATES, SOLVED, Array, Machine
 from deltacal_gen.machine.rotation import to_vector
 from deltacal_gen.physics.terms import Term
@@ -373,7 +374,7 @@ def _c_effects(live: _Live) -> Iterator[str]:
     yield ""
     yield "deltacal_compensate knows the geometry only; use deltacal_command, which also knows"
     for t in compensator.effects:
-        limbs = f" at joint{'s' if len(t.limbs) > 1 else ''} {', '.join(map(str, t.limbs))}" if t.limbs else ""
+        limbs = at(compensator.robot, t.limbs)
         how = (
             "closed form"
             if any(t is k for k in live.known)

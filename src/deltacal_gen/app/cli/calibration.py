@@ -212,14 +212,17 @@ def diagnose(
 
 def show_diagnosis(found: Diagnosis) -> None:
     """Print a diagnosis: its verdict, the effects with their parameters, and what cannot be told from them."""
+    from deltacal_gen.files.robot import robot_of
+    from deltacal_gen.machine.places import at, number_of, part_of
     from deltacal_gen.results.shown import rounded
 
+    robot = robot_of(found.robot)
     screen.print(f"[bold]{found.verdict.replace('_', ' ')}[/bold]: {escaped(found.summary)}")
     if found.effects:
-        table = Table("effect", "limb", "parameter", "value", "std", "unit")
+        table = Table("effect", part_of(robot), "parameter", "value", "std", "unit")
         for effect in found.effects:
             for p in effect.parameters:
-                limb = "" if p.limb is None else str(p.limb)
+                limb = "" if p.limb is None else escaped(number_of(robot, p.limb))
                 value, std = (p.value, "-") if isinstance(p.value, str) else rounded(p.value, p.std)
                 table.add_row(effect.name, limb, p.label, value, std, p.unit)
         screen.print(table)
@@ -229,11 +232,11 @@ def show_diagnosis(found: Diagnosis) -> None:
                 screen.print(f"  these poses cannot tell {effect.name} from {others}")
     for k, law in enumerate(found.laws):
         for term in law.terms:
-            limbs = f" at limb {', '.join(map(str, term.limbs))}" if term.limbs else ""
-            screen.print(f"  {'or' if k else 'law:'} {term.target} moves by {escaped(term.expression)}{limbs}")
+            said = escaped(f"{term.expression}{at(robot, term.limbs)}")
+            screen.print(f"  {'or' if k else 'law:'} {term.target} moves by {said}")
             if not k:
                 for c in term.coefficients:
-                    where = "" if c.limb is None else f" at limb {c.limb}"
+                    where = "" if c.limb is None else escaped(at(robot, [c.limb]))
                     value, std = rounded(c.value, c.std)
                     screen.print(f"    {c.name} = {value} +- {std} {c.unit}{where}")
     unit, length = shown_in(found)
@@ -247,7 +250,7 @@ def show_diagnosis(found: Diagnosis) -> None:
         )
     screen.print(table)
     for hint in found.hints:
-        where = f" at {', '.join(map(str, hint.limbs))}" if hint.limbs else ""
+        where = escaped(at(robot, hint.limbs))
         screen.print(f"  may be there, p = {hint.p_value:.2g}: {hint.name}{where}; it {hint.why}")
     for question in found.next_measurements:
         clear = question.expected_chi2

@@ -19,6 +19,8 @@ def demo(
 ) -> None:
     """Run the main job end to end on an embedded recording with a concealed effect."""
     from deltacal_gen.app import commands
+    from deltacal_gen.files.robot import robot_of
+    from deltacal_gen.machine.places import at
 
     with progress(as_json) as tell:
         found = commands.demo(output, tell)
@@ -32,8 +34,11 @@ def demo(
     )
     screen.print("[bold]2. Diagnosis[/bold]:", end=" ")
     show_diagnosis(diagnosis)
+    robot = robot_of(diagnosis.robot)
     told = "; ".join(
-        f"{t.name} at joint {p.limb}, {p.name} {p.value:g} {p.unit}" for t in found.truth for p in t.parameters
+        f"{t.name}{at(robot, [p.limb] if p.limb else ())}, {p.name} {p.value:g} {p.unit}"
+        for t in found.truth
+        for p in t.parameters
     )
     screen.print(f"[bold]3. The truth[/bold], read only now: {told}.")
     screen.print("The true machine, commanded by each model of it, with payloads and in directions drawn at random:")

@@ -137,8 +137,13 @@ def _show_drives(found: MotionStudy) -> None:
 
 def _show_suspects(found: Study | MotionStudy) -> None:
     """Print how often what was concealed was named."""
+    from deltacal_gen.files.robot import robot_of
+    from deltacal_gen.machine.places import at
+    from deltacal_gen.results.motion import MotionStudy
+
+    robot, part = robot_of(found.robot), "joint" if isinstance(found, MotionStudy) else None
     for s in found.suspects:
-        words = " and ".join(f"{e.name} {' '.join(map(str, e.limbs))}".strip() for e in s.effects) or "nothing"
+        words = " and ".join(f"{e.name}{escaped(at(robot, e.limbs, part))}" for e in s.effects) or "nothing"
         low, high = s.interval
         screen.print(
             f"{words} concealed: said so in {s.named_right} of {s.recordings} recordings "
@@ -180,7 +185,7 @@ def batch(
     table = Table(*[Column(c.replace("_", " "), overflow="fold") for c in columns])
     for r in worst(rows, MOST_LINES):
         cells = [getattr(r, c, None) for c in columns]
-        table.add_row(*[number(c) if isinstance(c, float) else str(in_table(c)) for c in cells])
+        table.add_row(*[number(c) if isinstance(c, float) else escaped(str(in_table(c))) for c in cells])
     screen.print(table)
     if len(rows) > MOST_LINES:
         screen.print(f"These are the {MOST_LINES} with the largest errors.")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -12,7 +13,7 @@ from deltacal_gen.diagnosis.charges import MARGIN, gains, quantile
 from deltacal_gen.diagnosis.discrimination import Question
 from deltacal_gen.diagnosis.laws.ground import Ground, Tried
 from deltacal_gen.diagnosis.laws.proof import MOST_POSES, SEED, Instead, Proof, judged, proven
-from deltacal_gen.diagnosis.laws.screen import ranked, stands_out
+from deltacal_gen.diagnosis.laws.screen import counted, stands_out
 from deltacal_gen.diagnosis.laws.search import COMPARED, Grown, curved, fitted, polished, unexplained
 from deltacal_gen.diagnosis.refits import refitted, terms_of
 from deltacal_gen.diagnosis.strategy import Outcome
@@ -31,6 +32,26 @@ MOST = 5  # laws that are told
 RIVALS = 10.0 + 4 * 10.0**0.5  # of chi2, as for effects: a law that earns less than that less is not told from the best
 DOUBTED = 2  # terms that earn least: of these a fit without each is asked whether it is needed
 STEP = 1e-3  # of a constant, by which its derivative is taken
+RUNNERS_UP = 8  # forms that are told beside a law, and what they earn
+
+
+class Unsure(NamedTuple):
+    """How unknown the constants (n,) within a term are, and what that does to its coefficients (n_c,).
+
+    Attributes
+    ----------
+    std : (n,) array
+    added : (n_c,) array
+        What they add to the variances of the coefficients.
+    covariance : (n, n) array
+    by : (n, n_c) array
+        By how much the coefficients go with each of them.
+    """
+
+    std: Array
+    added: Array
+    covariance: Array
+    by: Array
 
 
 @dataclass(frozen=True)
@@ -48,10 +69,14 @@ class Lawful:
         In chi2, beside all else.
     cost : float
         Deviance, and the price of the law and of the names beside it.
-    unsure : tuple of ((n,), (n_c,)) arrays
-        Of each term: standard deviations of its constants, and what they add to the variances of its coefficients.
+    unsure : tuple of Unsure
+        Of each term.
     whole : bool
         Whether what it leaves is noise.
+    count : int
+        Forms, place by place, among which its last term was looked for at last; 0 for rivals.
+    runners_up : tuple of Tried
+        Those that could stand for its last term but for what they earn, the best first.
     """
 
     fit: Fit
@@ -59,8 +84,10 @@ class Lawful:
     proof: Proof
     gain: float
     cost: float
-    unsure: tuple[tuple[Array, Array], ...]
+    unsure: tuple[Unsure, ...]
     whole: bool = True
+    count: int = 0
+    runners_up: tuple[Tried, ...] = ()
 
     @property
     def terms(self) -> list[Term]:
@@ -252,10 +279,13 @@ def _told(problem: Problem, grown: Grown, proof: Proof, found: Outcome) -> list[
     own = grown.law[-1]
     gain = ground.gain(ground.place(own.target), own.form, own.limbs)
     told = [(grown, proof)]
-    for other in ranked(ground):
+    every, count = counted(ground)
+    less: list[Tried] = []
+    for other in every:
         more = set(other.form.states) > set(own.form.states)
         same = (other.target, set(other.form.states)) == (own.target, set(own.form.states))
         if same or more or other.score < gain - own.price - RIVALS or len(told) == MOST:
+            less += [] if same else [other]
             continue
         rival = fitted(problem, grown, ground, other, (), len(grown.law) - 1)
         if rival is not None and rival.names:
@@ -263,12 +293,18 @@ def _told(problem: Problem, grown: Grown, proof: Proof, found: Outcome) -> list[
         asked = _asked(problem, rival, proof) if rival is not None and len(rival.law) == len(grown.law) else None
         if rival is not None and asked is not None:
             told.append((rival, asked))
+        else:
+            less.append(other)
     cost = [_cost(law, found) for law, _ in told]
     best = min(range(len(told)), key=cost.__getitem__)
     if best and (not told[best][1].holds or _by_others(told[best][0])):
         best = 0
     order = [best, *(k for k in range(len(told)) if k != best)]
-    return [_with_figures(*told[k], cost[k]) for k in order]
+    first, *others = (_with_figures(*told[k], cost[k]) for k in order)
+    return [
+        dataclasses.replace(first, count=count, runners_up=tuple(t for t in less[:RUNNERS_UP] if t.score > 0)),
+        *others,
+    ]
 
 
 def _cost(grown: Grown, found: Outcome) -> float:
@@ -307,8 +343,8 @@ def _with_figures(grown: Grown, proof: Proof, cost: float) -> Lawful:
     return Lawful(grown.fit, grown.law, proof, gain, cost, tuple(unsure), not unexplained(grown.fit))
 
 
-def _unsure(ground: Ground, freed: Ground, tried: Tried, term: Term) -> tuple[Array, Array]:
-    """Return standard deviations of a term's constants, and what they add to the variances of its coefficients.
+def _unsure(ground: Ground, freed: Ground, tried: Tried, term: Term) -> Unsure:
+    """Return how unknown a term's constants are.
 
     Parameters
     ----------
@@ -318,7 +354,7 @@ def _unsure(ground: Ground, freed: Ground, tried: Tried, term: Term) -> tuple[Ar
     form, place = tried.form, ground.place(tried.target)
     n = len(form.constants)
     if not n:
-        return np.zeros(0), np.zeros(term.n_coefficients)
+        return Unsure(np.zeros(0), np.zeros(term.n_coefficients), np.zeros((0, 0)), np.zeros((0, term.n_coefficients)))
     at = np.array(form.constants)
     steps, moved = STEP * np.maximum(np.abs(at), 1e-12), []
     for step in np.diag(steps):
@@ -329,4 +365,5 @@ def _unsure(ground: Ground, freed: Ground, tried: Tried, term: Term) -> tuple[Ar
     scale = np.where(size[0] > 0, size[0], 1.0)
     covariance = np.linalg.pinv(G[0], rcond=1e-8, hermitian=True) / np.outer(scale, scale)
     by = np.array(moved)
-    return np.sqrt(np.maximum(np.diag(covariance), 0.0)), np.einsum("kc,kl,lc->c", by, covariance, by)
+    std = np.sqrt(np.maximum(np.diag(covariance), 0.0))
+    return Unsure(std, np.einsum("kc,kl,lc->c", by, covariance, by), covariance, by)

@@ -33,6 +33,11 @@ def ranked(ground: Ground, looked_at: int = LOOKED_AT) -> list[Tried]:
 
     `looked_at` of them are looked at closer.
     """
+    return counted(ground, looked_at)[0]
+
+
+def counted(ground: Ground, looked_at: int = LOOKED_AT) -> tuple[list[Tried], int]:
+    """Return what `ranked` does, and among how many forms, place by place, these were chosen."""
     tried = _first(ground)
     count = max(len(tried), 1)
     heads = _each_once(sorted(tried, key=lambda t: -t.score))[:looked_at]
@@ -49,7 +54,7 @@ def ranked(ground: Ground, looked_at: int = LOOKED_AT) -> list[Tried]:
     priced = [dataclasses.replace(t, price=price(t, count)) for t in closer]
     priced.sort(key=lambda t: -t.score)
     refined = [refine(ground, places[t.target], t) for t in priced[:REFINED]]
-    return _each_once(sorted([*refined, *priced[REFINED:]], key=lambda t: -t.score))
+    return _each_once(sorted([*refined, *priced[REFINED:]], key=lambda t: -t.score)), count
 
 
 def stands_out(ground: Ground) -> bool:

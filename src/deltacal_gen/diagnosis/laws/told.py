@@ -17,14 +17,15 @@ from deltacal_gen.physics.formula import unit, written
 from deltacal_gen.physics.law import Law as LawModule
 from deltacal_gen.physics.law import inside, is_law, load_law
 from deltacal_gen.physics.terms import Term
-from deltacal_gen.results.diagnosis import Law, LawCoefficient, LawCurve, LawTerm
+from deltacal_gen.results.diagnosis import Law, LawCoefficient, LawCurve, LawTerm, RunnerUp
 from deltacal_gen.states import named
 from deltacal_gen.units import of_joints
 
 if TYPE_CHECKING:
-    from deltacal_gen.diagnosis.laws.laws import Lawful
+    from deltacal_gen.diagnosis.laws.laws import Lawful, Unsure
 
 POINTS = 121  # of a curve
+STEP = 1e-3  # of a constant, by which its derivative is taken
 
 
 def told(laws: tuple[Lawful, ...], final: Fit) -> tuple[Law, ...]:
@@ -44,10 +45,14 @@ def _law(law: Lawful, at: Fit, alike: tuple[str, ...]) -> Law:
     for i, unsure in zip(places, law.unsure, strict=True):
         term, own = every[i], std[at.problem.coefficients(i)]
         module = load_law(term.effect)
-        terms.append(_term(term, module, np.hypot(own, np.sqrt(unsure[1])), unsure[0], unit_of_joints))
+        terms.append(_term(term, module, np.hypot(own, np.sqrt(unsure.added)), unsure.std, unit_of_joints))
         for state, (low, high) in zip(module.STATE, module.ends(term.constants), strict=True):
             before = ends.get(state, (np.inf, -np.inf))
             ends[state] = (min(before[0], float(low)), max(before[1], float(high)))
+    curves: list[LawCurve] = []
+    for n, (i, unsure) in enumerate(zip(places, law.unsure, strict=True)) if alike or law.proof.holds else ():
+        drawn = _curve(at, i, rest, unsure)
+        curves += [] if drawn is None else [drawn.replace(term=n)]
     return Law(
         terms=tuple(terms),
         states=tuple(ends),
@@ -58,7 +63,13 @@ def _law(law: Lawful, at: Fit, alike: tuple[str, ...]) -> Law:
         charge=law.charge,
         alike=alike,
         borne_out=law.proof.holds,
-        curve=_curve(at, places[0], rest) if alike or law.proof.holds else None,
+        curve=next((c for c in curves if c.term == 0), None),
+        curves=tuple(curves),
+        forms_tried=law.count or None,
+        runners_up=tuple(
+            RunnerUp(target=t.target, limbs=t.limbs, expression=t.form.text, gain=t.gain, charge=t.price)
+            for t in law.runners_up
+        ),
         remainder_rms_mm=_moved(at, rest) if rest else None,
     )
 
@@ -82,8 +93,7 @@ def _term(term: Term, law: LawModule, std: Array, of_constants: Array, joint_uni
             for c, v, s in zip(law.formula.linear, row, spread[r], strict=True)
         ]
     units = law.units(_joint_unit(joint_unit, min(term.limbs, default=None)))
-    order = sorted(law.inner, key=lambda name: int(name[1:]))
-    for k, name in enumerate(order):
+    for k, name in enumerate(_in_order(law)):
         value = float(term.constants[law.inner.index(name)])
         coefficients.append(
             LawCoefficient(name=name, limb=None, value=value, std=float(of_constants[k]), unit=written(units[name]))
@@ -92,11 +102,16 @@ def _term(term: Term, law: LawModule, std: Array, of_constants: Array, joint_uni
     return LawTerm(target=law.TARGETS[0], limbs=term.limbs, expression=expression, coefficients=tuple(coefficients))
 
 
+def _in_order(law: LawModule) -> list[str]:
+    """Return the names of the constants within a law as a form counts them."""
+    return sorted(law.inner, key=lambda name: int(name[1:]))
+
+
 def _joint_unit(joint_unit: str, limb: int | None) -> str:
     return of_joints(joint_unit, max(limb or 1, 1))[(limb or 1) - 1]
 
 
-def _curve(at: Fit, i: int, rest: Sequence[int]) -> LawCurve | None:
+def _curve(at: Fit, i: int, rest: Sequence[int], unsure: Unsure) -> LawCurve | None:
     """Return a term along its first state, other states at their median, and what every reading says of it.
 
     With what its form leaves, terms `rest` of the fit that sit where it does.
@@ -106,7 +121,7 @@ def _curve(at: Fit, i: int, rest: Sequence[int]) -> LawCurve | None:
     ground = Ground(at)
     if law.lags or any(s not in ground.states for s in law.STATE):
         return None
-    drawn = _Drawn.of(at, [i, *(k for k in rest if _beside(terms_of(at)[k], term))])
+    drawn = _Drawn.of(at, [i, *(k for k in rest if _beside(terms_of(at)[k], term))], unsure)
     place, limb = ground.place(law.TARGETS[0]), (term.limbs or (1,))[0]
     column = place.columns[:, :, limb - 1 if term.limbs else 0]
     seen = {s: _of_limb(ground.states[s], limb) for s in law.STATE}
@@ -145,25 +160,46 @@ def _beside(rest: Term, term: Term) -> bool:
 
 @dataclass(frozen=True)
 class _Drawn:
-    """Terms at one place as a function of their states, on the first of their limbs."""
+    """Terms at one place as a function of their states, on the first of their limbs; the first has constants."""
 
     terms: list[Term]
     covariance: Array
+    unsure: Unsure
 
     @staticmethod
-    def of(at: Fit, some: Sequence[int]) -> _Drawn:
+    def of(at: Fit, some: Sequence[int], unsure: Unsure) -> _Drawn:
         terms = [terms_of(at)[i] for i in some]
         own = [j for i, t in zip(some, terms, strict=True) for j in at.problem.coefficients(i)[: t.values.shape[1]]]
-        return _Drawn(terms, at.covariance[np.ix_(own, own)])
+        return _Drawn(terms, at.covariance[np.ix_(own, own)], unsure)
 
     def value(self, states: Mapping[str, Array]) -> Array:
         """Return by how much they move their place (N,), states (N,) by name."""
         return np.asarray(sum(m.value(s, t.values[:1], t.constants)[:, 0] for t, m, s in self._each(states)))
 
     def std(self, states: Mapping[str, Array]) -> Array:
-        """Return the standard deviation (N,) of `value` by that of the coefficients."""
+        """Return the standard deviation (N,) of `value` by those of the coefficients and of the constants within.
+
+        Coefficients go with the constants, as `Unsure.by` says: beside a scale that is larger, a slope is less.
+        """
         by = np.hstack([m.jacobian(s, t.values[:1], t.constants)[:, 0] for t, m, s in self._each(states)])
-        return np.sqrt(np.maximum(np.einsum("nc,cd,nd->n", by, self.covariance, by), 0.0))
+        variance = np.einsum("nc,cd,nd->n", by, self.covariance, by)
+        through = self._by_constants(states)
+        variance += np.einsum("nk,kl,nl->n", through, self.unsure.covariance, through)
+        return np.sqrt(np.maximum(variance, 0.0))
+
+    def _by_constants(self, states: Mapping[str, Array]) -> Array:
+        """Return the derivatives (N, n) of `value` by the constants within the first term, its coefficients in step."""
+        term, law, s = next(self._each(states))
+        out = np.zeros((len(s), len(self.unsure.std)))
+        for k, name in enumerate(_in_order(law)):
+            at, ends = law.inner.index(name), []
+            step = STEP * max(abs(float(term.constants[at])), 1e-12)
+            for h in (step, -step):
+                constants = [*term.constants[:at], float(term.constants[at]) + h, *term.constants[at + 1 :]]
+                values = term.values[:1] + h * self.unsure.by[k, : term.values.shape[1]]
+                ends.append(law.value(s, values, constants)[:, 0])
+            out[:, k] = (ends[0] - ends[1]) / (2 * step)
+        return out
 
     def _each(self, states: Mapping[str, Array]) -> Iterator[tuple[Term, LawModule, Array]]:
         for term in self.terms:
