@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from deltacal_gen.diagnosis.charges import MARGIN, charge
 from deltacal_gen.diagnosis.harmonics import LONGEST, grouped, is_multiple, lowest_repeating, once, series
+from deltacal_gen.pages import report
 from deltacal_gen.physics.terms import Term
 from tests.left_out import diagnosis, effect, machine, record
 
@@ -78,6 +79,12 @@ def test_a_shape_that_is_no_sine_is_named_with_what_its_fundamental_carries(shap
     assert {e.harmonic_of for e in harmonics} == {float(order)}
     assert first.harmonic_of is None
     assert set(orders) <= {float(t.constants[0]) for t in waves(shape, order, 1.0)}
+    assert found.findings == (first,)
+    assert found.harmonics(first) == tuple(harmonics)
+    told = f"(transmission_eccentricity) at limb 2, no sine: {order} periods a turn, with harmonics {orders[1]:g}, "
+    assert told in found.summary
+    page = report.diagnosis(found)
+    assert page.count(f"no sine: with harmonics {orders[1]:g}, ") == 1
     assert found.final.heldout_rms_mm is not None
     assert found.final.heldout_rms_mm < 0.016  # of .01 noise; three waves leave .02
 

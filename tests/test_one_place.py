@@ -39,7 +39,7 @@ OF_STATES = {
     "motion/unexplained.py:the module": "what answers call that on which a rest depends; the words are the table's",
     "diagnosis/library.py:_constant": "an offset of clocks does to readings what an effect of the speed does",
     "diagnosis/laws/proof.py:proven": "how fast a law changes, in a word of its own",
-    "pages/laws.py:part_of": "the target of a law, not a state",
+    "pages/laws.py:_part": "the target of a law, not a state",
     "physics/law.py:__init__": "the target of a law, not a state",
     "app/demonstration.py:_check": "a recording that is made up for the demonstration",
     "app/commands/clocks.py:instrument_columns": "columns of a file: those of joints begin so",
@@ -53,7 +53,7 @@ OF_KINDS = {
     "use/experiments.py:_asks": "a column, which holds the labels of poses",
     "planning/runs.py:asked": "a state, which has the same name",
     "pages/motion.py:against": "a word for how far a joint slides",
-    "pages/laws.py:part_of": "the target of a law of drives",
+    "pages/laws.py:_part": "the target of a law of drives",
     "physics/law.py:__init__": "the target of a law of drives",
     "physics/parts.py:lacking": "the target of an effect on probed heights",
 }

@@ -59,7 +59,7 @@ def run(folder: Path, progress: Callable[[str], None]) -> Demo:
     commanders = (
         ("robot file", Compensator(robot)),
         (f"{result.model}, geometry alone", Compensator(calibrated_robot(result))),
-        ("geometry and " + " and ".join(e.name for e in found.effects), compensator),
+        ("geometry and " + " and ".join(e.name for e in found.findings), compensator),
     )
     true = Compensator(dataclasses.replace(robot, errors=truth.errors), terms=truth.terms)
     return Demo(

@@ -436,7 +436,7 @@ def _figures(found: Answer) -> Json:
         robot = robot_of(found.robot)
         return {
             "verdict": str(found.verdict),
-            "effects": "; ".join(", ".join(filter(None, (e.name, place_of(robot, e.limbs)))) for e in found.effects),
+            "effects": "; ".join(", ".join(filter(None, (e.name, place_of(robot, e.limbs)))) for e in found.findings),
             "model": found.baseline.model,
             "before_mm": found.baseline.heldout_rms_mm,
             "after_mm": found.final.heldout_rms_mm,

@@ -305,7 +305,11 @@ def _summary(found: Diagnosed) -> str:
     if found.spectrum is not None:
         where = at(found.robot, found.spectrum.limbs)
         parts.append(f"{load_effect(wave()).TITLE} of many orders ({wave()}){where}{_standing_out(found)}")
-    parts += [f"{n.term.kernels.TITLE} ({n.term.effect}){at(found.robot, n.term.limbs)}" for n in found.effects]
+    parts += [
+        f"{n.term.kernels.TITLE} ({n.term.effect}){at(found.robot, n.term.limbs)}{_shape(found, n)}"
+        for n in found.effects
+        if n.fundamental is None
+    ]
     parts += _lawful(found)
     if found.verdict is Verdict.MISSING_PHYSICS:
         return (
@@ -318,6 +322,15 @@ def _summary(found: Diagnosed) -> str:
         f"{turned}{mismatch} of {found.final.rms():.4f} mm is left that no registered effect explains: "
         f"{found.location.text}.{named}{_hinted(found)} {_corrected(found)}"
     )
+
+
+def _shape(found: Diagnosed, fundamental: Named) -> str:
+    """Return that an effect is no sine, and which harmonics it has; "" of all others."""
+    harmonics = sorted(order_of(n.term) for n in found.effects if n.fundamental is fundamental.term)
+    if not harmonics:
+        return ""
+    orders = ", ".join(f"{order:g}" for order in harmonics)
+    return f", no sine: {order_of(fundamental.term):g} periods a turn, with harmonics {orders}"
 
 
 def _standing_out(found: Diagnosed) -> str:

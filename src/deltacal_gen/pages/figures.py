@@ -431,7 +431,7 @@ def diagnosis(found: Diagnosis) -> Sheet:
             Verdict.MISSING_PHYSICS: "; ".join(
                 [
                     *("a law that nobody has registered" for _ in found.laws[:1]),
-                    *(named(e, robot_of(found.robot)) for e in found.effects),
+                    *(named(e, robot_of(found.robot)) for e in found.findings),
                 ]
             ),
             Verdict.UNEXPLAINED: "a mismatch that no known effect explains",

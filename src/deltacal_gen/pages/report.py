@@ -334,7 +334,7 @@ def sentence(text: str) -> str:
 
 
 def _headline(found: Diagnosis) -> str:
-    effects, robot = found.effects, robot_of(found.robot)
+    effects, robot = found.findings, robot_of(found.robot)
     if found.verdict is Verdict.ADEQUATE:
         return "The calibrated geometry explains these readings"
     if found.verdict is Verdict.UNEXPLAINED:
@@ -360,7 +360,7 @@ def _lead(found: Diagnosis) -> str:
         )
     robot = robot_of(found.robot)
     told = [f"{t.target} moves by {t.expression}{laws.where(t, robot)}" for law in found.laws[:1] for t in law.terms]
-    parts = "; ".join([*told, *(_in_numbers(e) for e in found.effects)])
+    parts = "; ".join([*told, *(_in_numbers(e) + _beside(found.harmonics(e)) for e in found.findings)])
     return (
         f"{sentence(parts)}. With it the error on held-out readings falls from {before} to {after}; "
         f"the noise is {sigma}."
@@ -398,12 +398,20 @@ def _in_numbers(effect: Effect) -> str:
     return f"{effect.title}, {', '.join(words)}"
 
 
+def _beside(harmonics: Sequence[Effect]) -> str:
+    """Return what harmonics make of a periodic error, in words; "" where there are none."""
+    if not harmonics:
+        return ""
+    orders = sorted(float(p.value) for e in harmonics for p in e.parameters if p.name == "order")
+    return f", no sine: with harmonics {', '.join(f'{order:g}' for order in orders)}"
+
+
 def _steps(found: Diagnosis) -> list[dict[str, str]]:
     """Return what to do now, with the command where there is one."""
     steps: list[dict[str, str]] = []
     if found.turned:
         steps.append({"text": f"Compare the signs of the approach columns: it may be {found.turned}.", "command": ""})
-    for effect in found.effects:
+    for effect in found.findings:
         advice = load_effect(effect.name).ADVICE
         steps.append({"text": f"{sentence(figures.named(effect, robot_of(found.robot)))}: {advice}", "command": ""})
     if found.laws:

@@ -378,7 +378,7 @@ def concealed(study: Study, suspect: int, trial: int) -> Trial:
     )
     channels = {k: v for k, v in recording.channels.items() if not k.startswith("true_")}
     found = diagnose(study.robot, dataclasses.replace(recording, channels=channels)).answer()
-    named = [(e.name, e.limbs) for e in found.effects]
+    named = [(e.name, e.limbs) for e in found.findings]
     wanted = sorted((t.effect, t.limbs) for t in terms)
     alike = {n for e in found.effects for n in e.indistinguishable_from}
     return Trial(

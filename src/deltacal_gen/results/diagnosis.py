@@ -404,6 +404,18 @@ class Diagnosis(Answer):
     """What was found where no registered effect explains the misfit, the best first; it stands in `physics`."""
 
     @property
+    def findings(self) -> tuple[Effect, ...]:
+        """The effects without harmonics, which are one finding with their fundamental."""
+        return tuple(e for e in self.effects if e.harmonic_of is None)
+
+    def harmonics(self, of: Effect) -> tuple[Effect, ...]:
+        """Return the harmonics that are one finding with an effect, if it is a fundamental that has some."""
+        order = next((p.value for p in of.parameters if p.name == "order"), None)
+        if order is None or of.harmonic_of is not None:
+            return ()
+        return tuple(e for e in self.effects if e.harmonic_of == order and e.limbs == of.limbs)
+
+    @property
     def headline(self) -> str:
         """Verdict and summary."""
         return f"{self.verdict.replace('_', ' ')}: {self.summary}"

@@ -226,7 +226,7 @@ def show_diagnosis(found: Diagnosis) -> None:
                 value, std = (p.value, "-") if isinstance(p.value, str) else rounded(p.value, p.std)
                 table.add_row(effect.name, limb, p.label, value, std, p.unit)
         screen.print(table)
-        for effect in found.effects:
+        for effect in found.findings:
             if effect.indistinguishable_from:
                 others = ", ".join(effect.indistinguishable_from)
                 screen.print(f"  these poses cannot tell {effect.name} from {others}")
