@@ -17,7 +17,7 @@ from deltacal_gen.diagnosis import diagnosis
 from deltacal_gen.diagnosis.answer import Diagnosed
 from deltacal_gen.diagnosis.laws.ground import TARGETS
 from deltacal_gen.diagnosis.laws.laws import Unsure
-from deltacal_gen.diagnosis.laws.told import told
+from deltacal_gen.diagnosis.laws.told import _Drawn, told
 from deltacal_gen.estimation.fit import fit
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.pages import report
@@ -121,6 +121,18 @@ def test_the_band_counts_what_is_unknown_of_the_constants(made: Diagnosed, found
     np.testing.assert_allclose(curve.std, np.std(drawn, axis=1), rtol=0.15, atol=2e-5)
     wider = np.asarray(curve.std) / np.maximum(by_coefficients.std, 1e-9)
     assert np.max(wider[np.abs(curve.at) > 1]) > 1.2
+
+
+@pytest.mark.parametrize(("level", "told_of_it"), [(0.5, True), (500.0, False)])
+def test_a_level_that_geometry_would_take_over_is_left_out_of_the_band(level: float, told_of_it: bool) -> None:
+    """A joint's zero stands for it, so that its constant may be anything: the curve beside it is known."""
+    term = law("joint = c1*(warming + c2)", 1e-3, 3.0)
+    unsure = Unsure(np.array([level]), np.zeros(1), np.array([[level**2]]), np.zeros((1, 1)))
+    states = {"warming": np.linspace(0.0, 6.0, 31)}
+    std = _Drawn([term], np.array([[1e-10]]), unsure).std(states, states)
+    slope = 1e-5 * (states["warming"] + 3.0)
+    beside = np.hypot(slope, 1e-3 * level) if told_of_it else 1e-5 * np.abs(states["warming"] - 3.0)
+    np.testing.assert_allclose(std, beside, rtol=1e-3, atol=1e-9)
 
 
 def test_the_page_says_what_else_was_tried_and_what_it_earns(found: Diagnosis) -> None:

@@ -184,6 +184,7 @@ def test_hints_stand_on_the_page_with_what_decides(weak: Diagnosed) -> None:
     part = page[page.index("What may be there besides") :]
     for said in (f"{hint.name} at limb 2", f"{hint.gain_chi2:.0f}", report.power(hint.p_value), hint.why):
         assert said in part
-    assert f"The {len(entry.poses)} poses below: {entry.expected_chi2:.0f} of chi²" in part
+    assert f"The {len(entry.poses)} poses below: {entry.expected_chi2:.0f} of chi² are expected" in part
+    assert "is noise. Nothing else is proven." in page
     without = report.diagnosis(dataclasses.replace(weak, hints=()).answer())
     assert "What may be there besides" not in without

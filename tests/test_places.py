@@ -6,6 +6,8 @@ import dataclasses
 import json
 import re
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 from conftest import Run
@@ -17,6 +19,8 @@ from deltacal_gen.app import commands
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.files.robot import read_robot, robot_from_dict, robot_to_toml
 from deltacal_gen.machine.places import at, number_of, part_of, place_of
+from deltacal_gen.motion.diagnosis import _in_words
+from deltacal_gen.results.diagnosis import LawTerm
 from tests.left_out import machine
 
 STAND = {"kind": "fixed", "d": 40.0}  # a link that counts as a table of the file, not as a joint
@@ -73,3 +77,9 @@ def test_what_is_found_on_an_arm_is_told_of_its_joints_everywhere(run: Run, tmp_
     assert f"Backlash at {place}" in page
     assert "<th>joint</th>" in page
     assert not re.search(r"\blimbs?\b", re.sub(r"<style>.*?</style>|<[^>]*>", " ", page, flags=re.S))
+
+
+def test_drives_are_told_of_joints_with_their_tables() -> None:
+    law: Any = SimpleNamespace(terms=[LawTerm(target="torque", limbs=(3,), expression="c1*q", coefficients=())])
+    told = [_in_words(r, [law]) for r in (arm([STAND, *ARM]), machine())]
+    assert told == [["a torque of c1*q (joint 3 ([[joint]] 4))"], ["a torque of c1*q (joint 3)"]]

@@ -105,6 +105,7 @@ def diagnose(
     terms, not_tested, first, white = begun.terms, begun.not_tested, begun.first, begun.white
     calm = _in_noise(begun, progress)
     first, found, sought = (*calm, Sought()) if lean else _by_law((first, white), calm, progress)
+    sought = _less_sign(sought, found)
     some, search, left, unexplained = found.problem, found.search, found.left, found.unexplained
     spectrum = found.spectrum
     if lawful := sought.laws:
@@ -297,17 +298,16 @@ def _by_law(white: tuple[Fit, Outcome], calm: tuple[Fit, Outcome], progress: Pro
     function of the pose.
     """
     beside, found = white[1], calm[1]
-    sought = _laws(found, progress) if found.spectrum is None else Sought()
+    sought = laws(found, progress) if found.spectrum is None else Sought()
     fewer = len(found.search.effects) < len(beside.search.effects)
     hidden = (beside.unexplained or fewer) and not found.unexplained and beside.spectrum is None is found.spectrum
-    if sought.laws or not hidden or not (instead := _laws(beside, progress, fewer)).laws:
+    if sought.laws or not hidden or not (instead := laws(beside, progress, doubted=fewer)).laws:
         return *calm, sought
     return (*white, instead) if instead.laws[0].cost < deviance(found) else (*calm, sought)
 
 
-def _laws(found: Outcome, progress: Progress, doubted: bool = False) -> Sought:
+def _less_sign(sought: Sought, found: Outcome) -> Sought:
     """Return the law that is borne out, but for one of what the direction of approach does: its sign is asked first."""
-    sought = laws(found, progress, doubted)
     terms = sought.laws[0].terms if sought.laws else [sought.doubtful] if sought.doubtful is not None else []
     return Sought() if only_turned(found.considered, terms) else sought
 

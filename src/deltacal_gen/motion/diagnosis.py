@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from scipy.stats import chi2
 
+from deltacal_gen.machine.places import place_of
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.bodies import Found, beside, searched
 from deltacal_gen.motion.fit import Fit, fitted
@@ -82,7 +83,7 @@ def diagnose(robot: Robot, given: Trajectories, progress: Progress) -> MotionDia
         summary=_summary(effects, laws, open_, session, found),
         noise=session.noise(found),
         baseline=session.left(plain, f"{robot.mechanism}/{RIGID}"),
-        location=_location(effects, laws, open_, plain, found),
+        location=_location(robot, effects, laws, open_, plain, found),
         effects=effects,
         search=_search(found),
         final=final,
@@ -311,6 +312,7 @@ def _ladder(fit: Fit, left: Rest | None) -> LadderOf:
 
 
 def _location(
+    robot: Robot,
     effects: Sequence[TorqueEffect],
     laws: Sequence[TorqueLaw],
     rests: Sequence[Rest],
@@ -320,7 +322,7 @@ def _location(
     """Return where model and recording differ: what is open, or else what the effects explain."""
     of_laws = {i for law in laws for t in law.terms for i in t.limbs}
     limbs = sorted({r.joint for r in rests} or {i for e in effects for i in e.limbs} | of_laws)
-    texts = [r.text for r in rests] or [*(_where(e) for e in effects), *_in_words(laws)]
+    texts = [r.text for r in rests] or [*(_where(robot, e) for e in effects), *_in_words(robot, laws)]
     where = [fit for fit in (found if rests else plain) if fit.joint.number in limbs]
     known = [(fit.joint.number, d) for fit in where for d in dependences(fit)]
     channels = [
@@ -330,14 +332,14 @@ def _location(
     return Location(channels=tuple(channels), limbs=tuple(limbs), region=None, text="; ".join(texts) or "nowhere")
 
 
-def _where(effect: TorqueEffect) -> str:
+def _where(robot: Robot, effect: TorqueEffect) -> str:
     """Return an effect with its joints, in words."""
-    return f"{effect.title} (joint {', '.join(map(str, effect.limbs))})" if effect.limbs else effect.title
+    return f"{effect.title} ({place_of(robot, effect.limbs, 'joint')})" if effect.limbs else effect.title
 
 
-def _in_words(laws: Sequence[TorqueLaw]) -> list[str]:
+def _in_words(robot: Robot, laws: Sequence[TorqueLaw]) -> list[str]:
     """Return every term of a law, in words."""
-    return [f"a torque of {t.expression} (joint {', '.join(map(str, t.limbs))})" for law in laws for t in law.terms]
+    return [f"a torque of {t.expression} ({place_of(robot, t.limbs, 'joint')})" for law in laws for t in law.terms]
 
 
 def _numbers(term: LawTerm) -> str:
@@ -353,10 +355,10 @@ def _summary(
     fits: Sequence[Fit],
 ) -> str:
     still, silent = (", ".join(map(str, some)) for some in untold(session, fits))
-    named = [_where(e) for e in effects]
+    named = [_where(session.robot, e) for e in effects]
     parts = [f"Beside the rigid machine the drives overcome {'; '.join(named)}." if named else ""]
     if laws:
-        each = zip(_in_words(laws), (_numbers(t) for law in laws for t in law.terms), strict=True)
+        each = zip(_in_words(session.robot, laws), (_numbers(t) for law in laws for t in law.terms), strict=True)
         parts.append(f"A law that nobody has registered: {'; '.join(' with '.join(pair) for pair in each)}.")
     if rests:
         parts.append(f"Not explained: {'; '.join(r.text for r in rests)}.")

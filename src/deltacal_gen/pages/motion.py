@@ -10,6 +10,8 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from deltacal_gen.files.robot import robot_of
+from deltacal_gen.machine.places import place_of
+from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.payload import ADVICE, PAYLOAD
 from deltacal_gen.pages import laws, report
 from deltacal_gen.pages.figures import AFTER, BEFORE, MUTED
@@ -94,7 +96,7 @@ def _diagnosed(found: MotionDiagnosis) -> dict[str, Any]:
         "verdict": _VERDICTS[found.verdict],
         "headline": f"Beside the rigid machine: {names}" if names else _VERDICTS[found.verdict].capitalize(),
         "lead": found.summary,
-        "steps": [_step(e) for e in found.effects],
+        "steps": [_step(e, robot_of(found.robot)) for e in found.effects],
         "ladder": _ladder(found.ladder),
         "stops": "; ".join(dict.fromkeys(f"{ladder.stops}" for ladder in found.ladder)).capitalize() + ".",
         "parameters": [
@@ -126,10 +128,10 @@ def _law(found: MotionDiagnosis) -> dict[str, object] | None:
     return laws.described(law, (), left, robot_of(found.robot)) | {"pictures": pictures}
 
 
-def _step(effect: TorqueEffect) -> str:
+def _step(effect: TorqueEffect, robot: Robot) -> str:
     """Return what to do about an effect."""
     advice = ADVICE if effect.name == PAYLOAD else load_effect(effect.name).ADVICE
-    where = f", joint {_listed(effect.limbs)}" if effect.limbs else ""
+    where = f", {place_of(robot, effect.limbs, 'joint')}" if effect.limbs else ""
     return f"{effect.title.capitalize()}{where}: {advice}"
 
 
@@ -210,7 +212,3 @@ def bars(axes: Axes, ladders: Sequence[LadderOf]) -> None:
     axes.set_yticks(at, labels)
     axes.invert_yaxis()
     axes.set_xlabel("% of the held-out rms")
-
-
-def _listed(limbs: Sequence[int]) -> str:
-    return ", ".join(map(str, limbs))

@@ -352,7 +352,8 @@ def _lead(found: Diagnosis) -> str:
     figures_mm = (_heldout(found.baseline), _heldout(found.final), found.noise.sigma_mm)
     before, after, sigma = (f"{mm / size:.4f} {unit}" for mm in figures_mm)
     if found.verdict is Verdict.ADEQUATE:
-        return f"What the geometry leaves on held-out readings, {before}, is noise. Nothing else was found."
+        more = "Nothing else is proven" if found.hints else "Nothing else was found"
+        return f"What the geometry leaves on held-out readings, {before}, is noise. {more}."
     if found.verdict is Verdict.UNEXPLAINED:
         return (
             f"Geometry alone leaves {before} on held-out readings, {after} are left in the end, and the "
@@ -456,9 +457,8 @@ def _hints(found: Diagnosis, robot: Robot) -> list[tuple[str, ...]]:
         text = "".join(n.text for n in settles) or "Other poses, and channels that were not recorded."
         for n in settles:
             if n.poses:
-                text = f"The {len(n.poses)} poses below" + (
-                    f": {n.expected_chi2:.0f} of chi²" if n.expected_chi2 else ""
-                )
+                text = f"The {len(n.poses)} poses below"
+                text += f": {n.expected_chi2:.0f} of chi² are expected" if n.expected_chi2 else ""
         rows.append(
             (
                 figures.named(hint, robot),

@@ -176,6 +176,7 @@ class LawCurve(Value):
     """The curve, where it is drawn."""
     value: Column
     std: Column
+    """Beside the curve's mean, where that is less known than the curve varies: geometry takes over what it is."""
     seen: Column
     """The state at the readings."""
     partial: Column

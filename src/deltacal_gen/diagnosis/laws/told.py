@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from scipy.linalg import block_diag
 
 from deltacal_gen.diagnosis.laws.ground import Ground
 from deltacal_gen.diagnosis.refits import terms_of
@@ -134,7 +135,8 @@ def _curve(at: Fit, i: int, rest: Sequence[int], unsure: Unsure) -> LawCurve | N
     middle = {s: float(np.median(seen[s])) for s in others}
     grid = {first: np.linspace(low, high, POINTS)} | {s: np.full(POINTS, v) for s, v in middle.items()}
     # with several states a reading is shown as it would be at the medians of the others
-    shown = drawn.value({first: seen[first]} | {s: np.full(len(now), v) for s, v in middle.items()})
+    level = {first: seen[first]} | {s: np.full(len(now), v) for s, v in middle.items()}
+    shown = drawn.value(level)
     ratio = np.divide(shown, now, out=np.ones_like(now), where=np.abs(now) > 1e-3 * np.abs(now).max())
     joint_unit = _joint_unit(at.problem.recording.joint_unit, limb)
     target = (
@@ -146,7 +148,7 @@ def _curve(at: Fit, i: int, rest: Sequence[int], unsure: Unsure) -> LawCurve | N
         target_unit=target,
         at=grid[first],
         value=drawn.value(grid),
-        std=drawn.std(grid),
+        std=drawn.std(grid, level),
         seen=seen[first],
         partial=shown + ratio * moved,
     )
@@ -176,16 +178,24 @@ class _Drawn:
         """Return by how much they move their place (N,), states (N,) by name."""
         return np.asarray(sum(m.value(s, t.values[:1], t.constants)[:, 0] for t, m, s in self._each(states)))
 
-    def std(self, states: Mapping[str, Array]) -> Array:
+    def std(self, states: Mapping[str, Array], seen: Mapping[str, Array]) -> Array:
         """Return the standard deviation (N,) of `value` by those of the coefficients and of the constants within.
 
-        Coefficients go with the constants, as `Unsure.by` says: beside a scale that is larger, a slope is less.
+        Coefficients go with the constants, as `Unsure.by` says: beside a scale that is larger, a slope is less. Where
+        the mean over the readings, at states `seen`, is less known than the curve varies, geometry takes over what is
+        unknown of it, and it is that of the curve beside its mean.
         """
-        by = np.hstack([m.jacobian(s, t.values[:1], t.constants)[:, 0] for t, m, s in self._each(states)])
-        variance = np.einsum("nc,cd,nd->n", by, self.covariance, by)
-        through = self._by_constants(states)
-        variance += np.einsum("nk,kl,nl->n", through, self.unsure.covariance, through)
-        return np.sqrt(np.maximum(variance, 0.0))
+        at, there = self._derivatives(states), self._derivatives(seen)
+        unknown = block_diag(self.covariance, self.unsure.covariance)
+        mean = there.mean(axis=0)
+        if mean @ unknown @ mean > np.ptp(self.value(states)) ** 2:
+            at = at - mean
+        return np.sqrt(np.maximum(np.einsum("nc,cd,nd->n", at, unknown, at), 0.0))
+
+    def _derivatives(self, states: Mapping[str, Array]) -> Array:
+        """Return the derivatives (N, n_c + n) of `value` by the coefficients and the constants."""
+        by = [m.jacobian(s, t.values[:1], t.constants)[:, 0] for t, m, s in self._each(states)]
+        return np.hstack([*by, self._by_constants(states)])
 
     def _by_constants(self, states: Mapping[str, Array]) -> Array:
         """Return the derivatives (N, n) of `value` by the constants within the first term, its coefficients in step."""
