@@ -145,9 +145,7 @@ def scatter(folder: str, entry: Entry) -> Iterable[str]:
             said = float(np.sqrt(np.mean(stds**2)))
             times = float(np.std(values, ddof=1)) / said
             low, high = (times * np.sqrt((n - 1) / chi2.isf(p, n - 1)) for p in (0.025, 0.975))
-            text += (
-                f"; of {n} blocks they scatter {times:.2f} times ({low:.2f} to {high:.2f}) the {told:.2g} that is told"
-            )
+            text += f"; {n} blocks scatter by {times:.2f} times ({low:.2f} to {high:.2f}) the {said:.2g} that is told"
         yield text
 
 
