@@ -40,6 +40,7 @@ ALIKE = 10.0  # of chi2: effects that poses of an ideal detector part by less ar
 BOUNDS = (0.01, 0.05)  # below which parts of the p-values of nulls are counted
 NEAR = 0.2  # of its size, within which noise is known well
 WRONGLY = ("understated", "overstated")  # sorts in which what is declared is wrong: who keeps to it errs
+WORSE = 1.3  # times the readings of the best design: what proposals may take
 MODELS = ("42", "18", "3")
 # recordings of each sort: of the whole, and within 20 minutes; intervals come by dozens from each
 COUNTS = {
@@ -48,7 +49,7 @@ COUNTS = {
     "chance": (500, 20),
     "bands": (40, 3),
     "coverage": (70, 3),
-    "round": (10, 1),
+    "round": (8, 1),
     "five": (40, 3),
     "power": (100, 5),
 }
@@ -196,6 +197,22 @@ class Figures:
             pairs = [(e["rows"] / true, e["likeliest"][1] / true) for e in told]
             self._beside(f"noise {sort}: rows that count as one", pairs)
 
+    def designs(self, words: str, own: list[Entry]) -> None:
+        """Add how many readings are proposed, by those of who knows the truth, and by random ones."""
+        asked = [e for e in own if "rows" in e and "chi2" in e]
+        if not asked:
+            return
+        rows, best = (np.array([float(e[key]) for e in asked]) for key in ("rows", "best"))
+        for key, whose in (("best", "the best design's"), ("random", "random ones")):
+            other = np.array([float(e[key]) for e in asked])
+            note = f"{rows.mean():.1f} to {other.mean():.1f}"
+            ratio = f"{rows.sum() / other.sum():.2f}"
+            self.number(f"{words}: readings proposed, to {whose}", len(asked), ratio, note)
+        self.part(f"{words}: at most {WORSE} times the best design's", int((rows <= WORSE * best).sum()), len(asked))
+        chi2, every = (np.median([e[key] for e in asked]) for key in ("chi2", "rows in all"))
+        note = f"{every:.0f} with those for other questions"
+        self.number(f"{words}: chi2 that parts the truth after them, median", len(asked), f"{chi2:.0f}", note)
+
     def _beside(self, words: str, pairs: list[tuple[float, float]]) -> None:
         if not pairs:
             return
@@ -216,6 +233,11 @@ def table(done: Mapping[Job, Entry]) -> Table:
         held = [e for job, e in done.items() if job[0] == "coverage" and job[1].startswith("effect/") is effects]
         words = "effects" if effects else "geometry and maps"
         out.part(f"intervals of all {words}", sum(e["inside"] for e in held), sum(e["of"] for e in held))
+    rounds = [e for job, e in done.items() if job[0] == "round"]
+    for key in ("truth in the set", "alone after a round, of those that can be resolved", "wrong after a round"):
+        said = [e[key] for e in rounds if key in e and e["open"]]
+        out.part(f"rounds of all open sorts: {key}", sum(said), len(said))
+    out.designs("rounds of all open sorts", rounds)
     for what, sort in sorted(dict.fromkeys(job[:2] for job in done), key=lambda key: list(COUNTS).index(key[0])):
         own = [e for job, e in done.items() if job[:2] == (what, sort)]
         if what in ("bands", "coverage"):
@@ -229,6 +251,8 @@ def table(done: Mapping[Job, Entry]) -> Table:
         if what == "power":
             best = float(np.mean([e["preferred"] for e in own]))
             out.number(f"{where}: who knows it and its rival prefers it", len(own), f"{best:.3f}")
+        if what == "round":
+            out.designs(where, own)
         if what in ("null", "chance"):
             p = [e["p"] for e in own]
             out.number(f"{where}: p-values, distance from uniform", len(own), f"{distance(p):.3f}")

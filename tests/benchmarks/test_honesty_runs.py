@@ -14,6 +14,9 @@ from tests.benchmarks.honesty_chance import first_look
 from tests.benchmarks.honesty_likelihood import likeliest, rows_of
 from tests.benchmarks.honesty_nulls import ROBOT, SIGMA, SORTS, drawn, null
 from tests.benchmarks.honesty_power import FALSE, _needed, preferred
+from tests.benchmarks.honesty_rounds import round_of
+from tests.benchmarks.honesty_starts import SORTS as SORTS_OF_ROUNDS
+from tests.benchmarks.honesty_starts import start
 
 
 def test_noise_is_of_unit_size_and_of_its_sort() -> None:
@@ -121,3 +124,25 @@ def test_no_two_p_values_are_of_the_same_recording() -> None:
     found = [honesty.examined(("chance", f"{noise}/first", k))["p"] for noise in ("white", "tails") for k in (0, 3)]
     assert len(set(found)) == len(found)
     assert all(0 < p <= 1 for p in found)
+
+
+@pytest.mark.parametrize("sort", ["thermal_zero", "a printer's thermal_zero", "an arm's thermal_zero"])
+def test_a_round_is_compared_with_the_best_design_and_with_random_poses(sort: str) -> None:
+    found = round_of(sort, 1)
+    assert found["open"]
+    assert found["resolvable"]
+    assert 1 <= found["best"] <= found["random"]
+    assert found["rows"] <= found["rows in all"]
+    shown = honesty.Figures()
+    shown.designs("rounds", [found])
+    assert shown.shown.row_count == 4
+
+
+def test_first_sessions_are_of_three_machines_and_as_users_append_them() -> None:
+    assert {SORTS_OF_ROUNDS[sort][0] for sort in SORTS_OF_ROUNDS} == {"delta", "linear_delta", "serial"}
+    begun = start("a printer's thermal_zero", 0)
+    row = {"q1_mm": 301.5, "q2_mm": 300.0, "q3_mm": 299.0, "temp_C": 40.0, "time_s": 9999.0}
+    longer = begun.extended([row])
+    assert longer.joints[-1].tolist() == [301.5, 300.0, 299.0]
+    assert longer.channels["temp_C"][-1] == 40.0
+    assert (longer.measured[:-1] == begun.first.measured).all()
