@@ -63,8 +63,11 @@ def kept(path: Path | None) -> tuple[dict[Job, Entry], dict[Job, float]]:
         return done, seconds
     for line in path.read_text(encoding="utf-8").splitlines(keepends=True):
         if line.endswith("\n"):
-            job, entry, spent = json.loads(line)
-            done[_frozen(job)], seconds[_frozen(job)] = entry, spent
+            match json.loads(line):
+                case [list(job), dict(entry), float(spent)]:
+                    done[_frozen(job)], seconds[_frozen(job)] = entry, spent
+                case _:
+                    raise SystemExit(f"{path} holds no lines of jobs: it is of another program, or of before.")
     return done, seconds
 
 

@@ -81,6 +81,14 @@ def test_a_line_cut_short_is_done_again(tmp_path: Path) -> None:
     assert len(list(map(json.loads, kept.read_text().splitlines()))) == 2
 
 
+def test_a_file_of_another_program_is_left_alone(tmp_path: Path) -> None:
+    kept = tmp_path / "kept.jsonl"
+    kept.write_text('{"kind": "null", "seed": [21, 2, 0]}\n')
+    with pytest.raises(SystemExit, match="no lines of jobs"):
+        sitting.sit(square, [("fast", 5)], how("--kept", str(kept)))
+    assert len(kept.read_text().splitlines()) == 1
+
+
 @pytest.mark.skipif(sys.platform != "linux", reason="signals as Linux has them")
 def test_a_signal_to_end_leaves_what_is_done_and_no_process(tmp_path: Path) -> None:
     kept = tmp_path / "kept.jsonl"
