@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import argparse
 import sys
+import time
 from collections.abc import Iterable, Mapping
 from typing import Any
 
@@ -31,7 +32,7 @@ from tests.benchmarks.honesty_nulls import ROBOT, SIGMA, SORTS, null
 from tests.benchmarks.honesty_power import ASKED, EFFECTS, FALSE, apart, five, powered, preferred
 from tests.benchmarks.honesty_rounds import SORTS as AMBIGUOUS
 from tests.benchmarks.honesty_rounds import round_of
-from tests.benchmarks.sitting import Entry, add_options, kept, sit, wilson
+from tests.benchmarks.sitting import Entry, Sitting, add_options, kept, sit, wilson
 from tests.conftest import plausible
 from tests.left_out import DELTA, record
 
@@ -283,23 +284,24 @@ def main(arguments: list[str] | None = None) -> int:
     add_options(parser)
     given = parser.parse_args(arguments)
     counts = {what: given.count or both[given.quick] for what, both in COUNTS.items()}
-    asked, done, seconds, code = jobs(counts, given.only), kept(given.kept)[0], {}, 0
-    first = [job for job in asked if job[0] == "false"]
+    begin, found, done = time.monotonic(), Sitting(), kept(given.kept)[0]
+    first = [job for job in jobs(counts, given.only) if job[0] == "false"]
     if len(first) >= ENOUGH:  # the rate is known before it is used
         found = sit(examined, first, given)
-        done, seconds, code = done | found.done, found.seconds, found.code
+        done |= found.done
+        given.minutes -= (time.monotonic() - begin) / 60
     false, why = allowed(done)
     asked = jobs(counts, given.only, false)
-    if not code:
-        found = sit(examined, asked, given)
-        seconds, code = found.seconds, found.code
+    if not found.interrupted:
+        failed, found = found.failed, sit(examined, asked, given)
+        found.failed |= failed
         done |= found.done
     Console(width=None if sys.stdout.isatty() else 140).print(table({job: done[job] for job in asked if job in done}))
     if any(job[0] == "power" for job in asked):
         print(f"the ideal detector's rate of false names is {false:g}, {why}")
-    if seconds:
-        print(spent(seconds, counts))
-    return code
+    if found.seconds:
+        print(spent(found.seconds, counts))
+    return found.code
 
 
 if __name__ == "__main__":
