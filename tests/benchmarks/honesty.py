@@ -45,14 +45,14 @@ WORSE = 1.3  # times the readings of the best design: what proposals may take
 MODELS = ("42", "18", "3")
 # recordings of each sort: of the whole, and within 20 minutes; intervals come by dozens from each
 COUNTS = {
-    "null": (300, 12),
+    "null": (300, 20),
     "false": (2000, 40),
     "chance": (500, 20),
     "bands": (40, 3),
     "coverage": (70, 3),
     "round": (8, 1),
     "five": (40, 3),
-    "power": (100, 5),
+    "power": (100, 8),
 }
 BEYOND = 100_000  # where the white nulls of the rate of false names begin: no other job has one of them
 ENOUGH = 1000  # of them: fewer do not tell a rate of one in a thousand

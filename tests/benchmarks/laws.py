@@ -494,7 +494,7 @@ def table(entries: Sequence[Mapping[str, Any]]) -> Table:
 def main(arguments: list[str] | None = None) -> int:
     """Run the cases, print the table and what was not right."""
     parser = argparse.ArgumentParser(prog="python -m tests.benchmarks.laws", description=__doc__.split("\n")[0])
-    for kind, count in (("laws", 60), ("orders", 0), ("walks", 30), ("nulls", 30)):
+    for kind, count in (("laws", 200), ("orders", 0), ("walks", 60), ("nulls", 300)):
         parser.add_argument(f"--{kind}", type=int, default=count, metavar="N", help=f"cases (default {count})")
     parser.add_argument("--seed", type=int, default=21)
     parser.add_argument("--quick", action="store_true", help="a few of each")
