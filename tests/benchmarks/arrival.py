@@ -1,9 +1,9 @@
-"""Whether fits arrive: ``python -m tests.benchmarks.arrival [--problems N] [--seed S] [--starts K] [--kept FILE]``.
+"""Whether fits arrive: ``python -m tests.benchmarks.arrival [--problems N] [--seed S] [--starts K]``.
 
 Each of the random problems of `arrival_problems` is fitted and compared with the lowest that SciPy's trust region
 reaches from several starts, of the same rows weighed alike: what the fit leaves must not be more than 0.1 of chi2 above
-it. What is done is kept in a file of lines (``--kept``), so that a run that was ended goes on where it stopped; a seed
-that is not given is drawn. With ``--recordings FOLDER ...`` the fits of real recordings are compared instead.
+it. Problems are done as `sitting` says; a seed that is not given is that of the file of ``--kept``, or drawn. With
+``--recordings FOLDER ...`` the fits of real recordings are compared instead.
 """
 
 from __future__ import annotations
@@ -28,6 +28,7 @@ from deltacal_gen.instrument.kind import Instrument
 from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.physics.body import Deformed
 from tests.benchmarks.arrival_problems import drawn
+from tests.benchmarks.sitting import add_options, kept, sit, wilson
 
 ABOVE = 0.1  # of chi2: what a fit may leave above the lowest that was found
 EVALUATIONS = 100  # of a start
@@ -119,6 +120,11 @@ def lowest(found: Fit, starts: int, rng: np.random.Generator) -> float:
     return best
 
 
+def examine(job: tuple[int, int, int]) -> dict[str, Any]:
+    """Return what came of a problem; see `compared`."""
+    return compared(*job)
+
+
 def compared(seed: int, number: int, starts: int) -> dict[str, Any]:
     """Fit a random problem and return what it and the other optimiser leave, and the time of the fit."""
     word, fitted = drawn(seed, number)
@@ -155,37 +161,33 @@ def real(folders: list[Path], starts: int) -> int:
     return int(worst > 1.0)
 
 
-def main() -> int:
+def main(arguments: list[str] | None = None) -> int:
     """Fit problems and compare; return 1 where too many fits do not arrive."""
     parser = argparse.ArgumentParser(prog="python -m tests.benchmarks.arrival", description=__doc__.split("\n")[0])
     parser.add_argument("--problems", type=int, default=2000)
     parser.add_argument("--seed", type=int)
     parser.add_argument("--starts", type=int, default=20)
-    parser.add_argument("--kept", type=Path)
     parser.add_argument("--recordings", nargs="+", type=Path)
-    given = parser.parse_args()
+    add_options(parser)
+    given = parser.parse_args(arguments)
     if given.recordings:
         return real(given.recordings, given.starts)
-    lines = []
-    if given.kept and given.kept.exists():
-        lines = [json.loads(text) for text in given.kept.read_text().splitlines()]
-    seed = lines.pop(0)["seed"] if lines else secrets.randbelow(2**32) if given.seed is None else given.seed
-    if given.kept and not lines:
-        given.kept.write_text(json.dumps({"seed": seed}) + "\n")
-    for number in range(len(lines), given.problems):
-        lines.append(compared(seed, number, given.starts))
-        if given.kept:
-            with given.kept.open("a") as file:
-                file.write(json.dumps(lines[-1]) + "\n")
-        print(f"\r{number + 1}, {sum(map(missed, lines))} not arrived", end="", file=sys.stderr, flush=True)
-    print(file=sys.stderr)
-    for line in filter(missed, lines):
+    seed = given.seed
+    if seed is None:
+        seed = next((job[0] for job in kept(given.kept)[0]), secrets.randbelow(2**32))
+    jobs = [(seed, number, given.starts) for number in range(given.problems)]
+    found = sit(examine, jobs, given, lambda line: json.dumps(line) if missed(line) else "")
+    lines = list(found.done.values())
+    away = list(filter(missed, lines))
+    for line in away:
         print(json.dumps(line))
-    spent = np.median([line["ms"] for line in lines if "ms" in line])
+    spent = np.median([line["ms"] for line in lines if "ms" in line] or [np.nan])
+    low, high = wilson(len(away), len(lines))
     print(
-        f"seed {seed}: {sum(map(missed, lines))} of {len(lines)} did not arrive; half of the fits below {spent:.0f} ms"
+        f"seed {seed}: {len(away)} of {len(lines)} did not arrive ({low:.2%} to {high:.2%}); "
+        f"half of the fits below {spent:.0f} ms"
     )
-    return int(sum(map(missed, lines)) > len(lines) // 1000)
+    return found.code or int(len(away) > len(lines) // 1000)
 
 
 if __name__ == "__main__":

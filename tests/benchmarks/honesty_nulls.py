@@ -7,6 +7,7 @@ repeats show to be no noise of a reading, *unexplained* is as right as *adequate
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Mapping
 
 import numpy as np
 
@@ -23,6 +24,7 @@ ROUNDED = ((0.1, 0.0), (0.02, 0.0), (0.0, 0.01), (0.0, 0.05))  # mm of a reading
 GROSS = 20.0  # standard deviations
 WRONG = 2.0  # times by which a declared sigma is off
 BETWEEN, READ_AT_ONCE = 2.5, 3  # standard deviations that readings of one pose share, and how many they are
+AXES = np.array([0.6, 0.8, 1.4])  # of the sort that is unlike along them
 WALK = 0.3  # standard deviations from row to row
 SORTS = (
     *("white", "uniform", "laplace", "t3", "skewed"),
@@ -44,7 +46,7 @@ def drawn(sort: str, shape: tuple[int, int], rng: np.random.Generator) -> Array:
     if sort == "skewed":
         return rng.exponential(1.0, shape) - 1
     if sort == "AR mixed":  # heavy tails, unlike along the axes
-        return _together(rng.standard_t(4, shape) / 2**0.5, 0.7) * np.array([0.6, 0.8, 1.4])
+        return _together(rng.standard_t(4, shape) / 2**0.5, 0.7) * AXES
     if sort.startswith("AR"):
         return _together(e, float(sort.split()[1]))
     if sort == "gross":
@@ -65,7 +67,7 @@ def null(sort: str, k: int) -> Recording:
     """Return the k-th recording of a sort: three of five declare how large noise is."""
     n = LENGTHS[k % len(LENGTHS)] if k % 2 else LONG.get(sort, LENGTHS[k % len(LENGTHS)])
     rng = np.random.default_rng([k, 77])
-    made = _noiseless(n, k, READ_AT_ONCE if sort == "by pose" else 1)
+    made = noiseless(n, k, READ_AT_ONCE if sort == "by pose" else 1)
     e = drawn("white" if sort == "gross" and k % 2 else sort, (n, 3), rng)
     if sort == "gross" and k % 2:  # one alone, at the pose that is farthest out
         out = np.linalg.norm(made.measured - made.measured.mean(axis=0), axis=1)
@@ -91,11 +93,14 @@ def rounded(made: Recording, reading: float, joint: float) -> Recording:
     return made
 
 
-def _noiseless(n: int, k: int, at_once: int) -> Recording:
-    """Return n readings without noise of a machine with errors of its geometry, some of each pose after one another."""
+def noiseless(n: int, k: int, at_once: int, errors: Mapping[str, float] | None = None) -> Recording:
+    """Return n readings without noise of a machine with errors of its geometry, some of each pose after one another.
+
+    `errors` are the k-th machine's unless others are given.
+    """
     of = channels(n, "approach", "temp", "time", "payload", seed=k)
     pose = np.arange(n) // at_once
     joints = np.degrees(record(ROBOT, n=n, seed=4000 + k, sigma=0.0).joints)[pose]
-    errors = plausible(DELTA, k, size=0.3)
+    errors = plausible(DELTA, k, size=0.3) if errors is None else errors
     labels = [f"p{i}" for i in pose]
     return record(ROBOT, n=n, of=of, errors=errors, sigma=0.0, declared=False, joints=joints, pose=labels)

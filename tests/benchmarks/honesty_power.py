@@ -24,7 +24,7 @@ from tests.left_out import DELTA, channels, effect, record
 
 POSES, LIMB = 100, (2,)
 SHOWN = 60.0  # of chi2: about what an effect of the sizes below explains
-FALSE = 1e-3  # rate of false names that the ideal detector allows itself; the tool's own is not higher
+FALSE = 1e-3  # rate of false names that the ideal detector allows itself, at least: where the tool's own is not known
 # parts of recordings that the ideal detector names, and times its size at which the tool should
 ASKED = {"half": (0.5, 1.2), "nearly all": (0.95, 1.25)}
 EFFECTS: dict[str, tuple[float, ...]] = {
@@ -45,19 +45,22 @@ FIVE = {  # effects, and coefficients that gears, joints and rods may well have
 SPOILT = 3  # gross errors beside five effects
 
 
-def powered(name: str, asked: str, k: int) -> Recording:
-    """Return the k-th recording with an effect at so many times the size at which the ideal detector names it."""
+def powered(name: str, asked: str, k: int, false: float = FALSE) -> Recording:
+    """Return the k-th recording with an effect at so many times the size at which the ideal detector names it.
+
+    `false` is the rate of false names that the detector allows itself.
+    """
     part, times = ASKED[asked]
     seen = _seen(name, k)
-    size = times * np.sqrt(_needed(part, seen.forms, seen.degrees) / seen.square)
+    size = times * np.sqrt(_needed(part, seen.forms, seen.degrees, false) / seen.square)
     return _made(name, [_term(name, k, size)], k)
 
 
-def apart(name: str, asked: str, k: int) -> float:
+def apart(name: str, asked: str, k: int, false: float = FALSE) -> float:
     """Return by how much chi2 the truth outdoes on average what explains as much of the k-th recording but for it."""
     part, times = ASKED[asked]
     seen = _seen(name, k)
-    return times**2 * _needed(part, seen.forms, seen.degrees) * seen.own
+    return times**2 * _needed(part, seen.forms, seen.degrees, false) * seen.own
 
 
 def preferred(chi2: float) -> float:
@@ -133,10 +136,10 @@ def _others(terms: Sequence[Term], name: str) -> list[Term]:
     return [t for t in terms if t.effect != name and name != t.kernels.EXTENDS]
 
 
-def _needed(part: float, forms: int, degrees: int) -> float:
+def _needed(part: float, forms: int, degrees: int, false: float = FALSE) -> float:
     """Return the square at which a likelihood ratio of so many degrees, one of so many tests, is found so often."""
     from scipy.optimize import brentq
     from scipy.stats import chi2, ncx2
 
-    bound = chi2.isf(FALSE / forms, degrees)
+    bound = chi2.isf(false / forms, degrees)
     return float(brentq(lambda size: ncx2.sf(bound, degrees, size) - part, 1e-3, 1e3))

@@ -1,71 +1,73 @@
-"""Recordings whose misfit several effects explain, and what one round of the proposed readings makes of them.
+"""What one round of the proposed readings makes of recordings whose misfit several effects explain.
 
-The first session is confined: poses in a part of the workspace, or a temperature that rises with time.
+Beside it stands the best design: the fewest readings of the whole workspace that an exchange search finds which knows
+the truth, and refits geometry, instrument and each rival. What no number of them tells apart no poses can. Random ones
+are counted by the same engine, until they part as much.
 """
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from deltacal_gen.diagnosis.diagnosis import diagnose
+from deltacal_gen.diagnosis.answer import Diagnosed
+from deltacal_gen.diagnosis.designs import Duel, choose
+from deltacal_gen.diagnosis.diagnosis import _first, _geometry, diagnose
+from deltacal_gen.diagnosis.discrimination import CLEAR, SEED, Pool
+from deltacal_gen.diagnosis.refits import refitted
+from deltacal_gen.estimation.fit import CONVERGED
+from deltacal_gen.estimation.fitted import Fit
+from deltacal_gen.files.checks import set_aside
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.terms import Term, load_effect
-from deltacal_gen.results.diagnosis import Row
 from deltacal_gen.use.experiments import next_rows, open_questions, shared
-from tests.benchmarks.honesty_nulls import ROBOT
-from tests.conftest import plausible
-from tests.every_effect import sized
-from tests.left_out import DELTA, channels, machine, record
+from tests.benchmarks.honesty_starts import SORTS, Start, start
 
-NEAR = machine(workspace={"radius": 250.0, "height": 400.0})  # where rods hang straight
-POSES, LIMB = 60, (2,)
-SORTS = {  # the effect that is there, up to how far it moves what is read [mm], and the channels that were recorded
-    "joint_compliance": (0.8, ("payload",)),
-    "proximal_bending": (0.8, ("payload",)),
-    "payload_deflection": (0.5, ("payload",)),
-    "distal_compliance": (1.5, ()),
-    "thermal_zero": (0.1, ("time", "temp")),
-    "zero_drift": (0.3, ("time", "temp")),
-    "zero_jump": (0.1, ("time", "temp")),
-    "tool_slip": (0.04, ("time",)),
-    "friction_windup": (0.06, ("approach",)),
-    "backlash": (0.03, ("approach", "payload")),
-}
+__all__ = ["SORTS", "round_of"]
+MOST = 100  # readings of the best design, beyond which poses do not tell effects apart
+DRAWN = 5  # times that random readings are drawn
 
 
 def round_of(sort: str, k: int) -> dict[str, Any]:
     """Return what a diagnosis of the k-th recording of a sort says, and what it says after one round of proposals.
 
-    `open` says that it was ambiguous, `answered` that poses are proposed for every rival.
+    `open` says that it was ambiguous, `answered` that poses are proposed for every rival, `resolvable` that the best
+    design tells them apart, or the round did. Readings are counted that are proposed against rivals, those for all
+    questions, those of the best design, and random ones.
     """
-    of = channels(POSES, *SORTS[sort][1], seed=k)
-    term = _true(sort, of, k)
-    errors = plausible(DELTA, 1000 + k, size=0.3)
-    joints = np.degrees(record(NEAR, n=POSES, seed=k, sigma=0.0).joints)
-    first = record(ROBOT, term, n=POSES, seed=k, joints=joints, of=of, errors=errors, declared=k % 2 > 0)
-    found = diagnose(ROBOT, first).answer()
+    begun, effect = start(sort, k), SORTS[sort][1]
+    first = diagnose(begun.robot, begun.first)
+    found = first.answer()
     entries = [e for e in found.next_measurements if e.separates and _rivals(e.separates)]
-    out = {
+    out: dict[str, Any] = {
         "open": any(_rivals((e.name, *e.indistinguishable_from)) for e in found.effects),
-        "truth in the set": any(sort in (e.name, *e.indistinguishable_from) for e in found.effects),
+        "truth in the set": any(effect in (e.name, *e.indistinguishable_from) for e in found.effects),
         "answered": bool(entries) and all(e.poses for e in entries),
     }
+    if not out["open"]:
+        return out
+    rivals = _wrong(first, effect)
+    of = best(begun, rivals) if rivals else None
+    out |= {"resolvable": of is not None}
     questions = open_questions(found)
-    if not out["open"] or not questions:
+    if not questions:
         return out
     rows = next_rows(questions, shared(questions, None))
-    made = _extended(first, rows)
-    joints = np.vstack([joints, [[float(row[f"q{i}_deg"]) for i in (1, 2, 3)] for row in rows]])
-    then = record(ROBOT, term, n=len(joints), seed=k, joints=joints, of=made, errors=errors, declared=k % 2 > 0)
-    after = diagnose(ROBOT, then).answer()
+    extended = begun.extended(rows)
+    after = diagnose(begun.robot, extended).answer()
     names = [e.name for e in after.effects]
-    alone = names == [sort] and not _rivals((sort, *after.effects[0].indistinguishable_from))
-    wrong = bool(names) and not any(sort in (e.name, *e.indistinguishable_from) for e in after.effects)
-    return out | {"alone after a round": alone, "wrong after a round": wrong, "rows": len(rows)}
+    alone = names == [effect] and not _rivals((effect, *after.effects[0].indistinguishable_from))
+    wrong = bool(names) and not any(effect in (e.name, *e.indistinguishable_from) for e in after.effects)
+    asked = [q for q, e in zip(questions, (e for e in found.next_measurements if e.poses), strict=True) if e in entries]
+    out |= {"alone after a round": alone, "wrong after a round": wrong, "resolvable": alone or of is not None}
+    out |= {"rows": len(shared(asked, None).rows), "rows in all": len(rows)}
+    if out["resolvable"]:
+        out["alone after a round, of those that can be resolved"] = alone
+    if of is not None and asked:
+        out |= {"best": of.best, "random": of.random, "chi2": parted(begun, extended, rivals)}
+    return out
 
 
 def _rivals(names: Sequence[str]) -> bool:
@@ -73,15 +75,70 @@ def _rivals(names: Sequence[str]) -> bool:
     return any(names[0] != load_effect(name).EXTENDS for name in names[1:])
 
 
-def _extended(first: Recording, rows: list[Row]) -> dict[str, np.ndarray]:
-    return {
-        name: np.concatenate([values, [float(row.get(name, values[-1])) for row in rows]])
-        for name, values in first.channels.items()
-    }
+def _wrong(found: Diagnosed, effect: str) -> list[Term]:
+    """Return the forms that a diagnosis could not tell from the truth, or took for it."""
+    sets = [(n.term, *n.rivals) for n in found.effects]
+    own = next((terms for terms in sets if any(t.effect == effect for t in terms)), ())
+    return [t for t in own if t.effect != effect and effect != load_effect(t.effect).EXTENDS]
 
 
-def _true(name: str, of: dict[str, np.ndarray], k: int) -> Term:
-    term = sized(name, () if name == "tool_slip" else LIMB, SORTS[name][0])
-    if "moments" not in term.kernels.SEARCHED:
-        return term
-    return dataclasses.replace(term, constants=(float(of["time_s"][20 + k % 20]) - 1.0,))
+# ------------------------------------------------------------------------------------------------- who knows the truth
+
+
+class Designs(NamedTuple):
+    """Readings that tell the truth from all rivals: of the best design, and of random ones in the mean."""
+
+    best: int
+    random: float
+
+
+def best(begun: Start, rivals: Sequence[Term]) -> Designs | None:
+    """Return how many readings who knows the truth takes to part it from its rivals, and how many random ones do.
+
+    None where no poses part them.
+    """
+    at = _known(begun, begun.first)
+    pool = Pool(at, [begun.term, *rivals], np.random.default_rng(SEED))
+    if not len(pool.found.ends):
+        return None
+
+    def duels() -> list[Duel]:
+        mine, spread = pool._columns_of(begun.term), pool._spread(begun.term)
+        return [pool._duel(mine, spread, pool._columns_of(rival), [], pool._bent(rival)) for rival in rivals]
+
+    chosen = choose(duels(), 1, MOST, CLEAR)
+    if chosen.gained[chosen.needed - 1] < CLEAR:
+        return None
+    counts = [_until_clear(duels(), np.random.default_rng([begun.k, n])) for n in range(DRAWN)]
+    return Designs(chosen.needed, float(np.mean(counts)))
+
+
+def _until_clear(duels: Sequence[Duel], rng: np.random.Generator) -> int:
+    """Return after how many random readings the truth is parted from all rivals; all of them where it never is."""
+    before, count = min(d.wrong.misfit for d in duels), len(duels[0].shift)
+    for n, j in enumerate(rng.permutation(count), start=1):
+        for d in duels:
+            d.take(int(j))
+        if min(d.wrong.misfit for d in duels) >= before + CLEAR:
+            return n
+    return count
+
+
+def parted(begun: Start, extended: Recording, rivals: Sequence[Term]) -> float:
+    """Return by how much chi2 the truth outdoes its best rival in what was measured, all refitted."""
+    true = _known(begun, extended)
+    others = [refitted(true.problem.with_names(true.problem.names), true, [rival], tolerance=1e-2) for rival in rivals]
+    return min((_chi2(other, true) for other in others if other), default=np.inf) - _chi2(true, true)
+
+
+def _chi2(at: Fit, unit: Fit) -> float:
+    """Return what a fit leaves, in units of the noise of one."""
+    return float(np.nansum((at.residual / unit.sigma) ** 2))
+
+
+def _known(begun: Start, recording: Recording) -> Fit:
+    """Return the fit of geometry, instrument and the effect that is there."""
+    recording = set_aside(recording, begun.robot)
+    problem = _geometry(begun.robot, recording, None)[0]
+    first = _first(problem, recording)
+    return refitted(problem, first, [begun.term], tolerance=CONVERGED) or first

@@ -1,14 +1,14 @@
 """Laws that no one registered: are they found, in their states and shape, and does what is none stay none.
 
     python -m tests.benchmarks.laws [--laws N] [--orders N] [--walks N] [--nulls N] [--seed S] [--quick]
-                                    [--kept laws.jsonl] [--minutes M]
+                                    [--jobs N] [--kept laws.jsonl] [--minutes M]
 
 Machines and recordings are drawn and simulated exactly. A third of the laws are *foreign*: curves that a generator
 draws which shares neither code nor a list of forms with the search. A law is right where its states are exactly those,
 and what it does to the readings correlates above 0.98 with what the truth does, geometry taken out of both. Predictions
 are of fresh readings, and of readings whose channels reach a quarter farther, against a fit that knows what happened.
-Beside `orders`, laws act on machines whose joints err at many orders besides. Cases that the file of `--kept` holds are
-not done again.
+Beside `orders`, laws act on machines whose joints err at many orders besides. Cases are done as `sitting` says. What
+is told of time is of CPU: of a diagnosis, and of what the search for laws takes of it.
 """
 
 from __future__ import annotations
@@ -19,10 +19,10 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before NumPy is loaded
 
 import argparse
 import dataclasses
-import json
 import sys
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -30,6 +30,7 @@ import numpy as np
 from rich.console import Console
 from rich.table import Table
 
+from deltacal_gen.diagnosis import diagnosis
 from deltacal_gen.diagnosis.answer import Diagnosed
 from deltacal_gen.diagnosis.beside import Beside
 from deltacal_gen.diagnosis.diagnosis import diagnose
@@ -49,6 +50,7 @@ from deltacal_gen.physics.law import is_law, load_law
 from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.use.prediction import predict
 from tests.benchmarks import concealed_machines as machines
+from tests.benchmarks.sitting import add_options, sit, wilson
 
 Array = np.ndarray
 States = Mapping[str, Array]
@@ -59,6 +61,8 @@ LEAST, MOST = 2.0, 8.0  # standard deviations of noise that geometry alone leave
 ALIKE = 0.98  # correlation of shapes
 FARTHER = 0.25  # of its range, by which a channel goes beyond it
 LAWS = ("known", "foreign", "orders")  # kinds of cases in which a law holds
+OF_LAWS = ("laws", "with_remainder", "_as_learned")  # what a diagnosis does for laws alone
+LONG_S = 30.0  # of CPU: what a search for laws may take beside the diagnosis
 ORDERS, LARGE = 24, 3e-4  # of a gear's error: from 1 on, and its size [rad, or 100 mm]
 
 
@@ -366,10 +370,12 @@ def examine(job: tuple[str, tuple[int, ...]]) -> dict[str, Any]:
     """Return what became of a case."""
     kind, seed = job
     case = generate(kind, seed)
+    out: dict[str, Any] = {"kind": kind, "seed": seed, "machine": case.robot.mechanism, "poses": len(case.exact.pose)}
     begin = time.process_time()
-    found = diagnose(case.robot, case.recording)
-    out: dict[str, Any] = {"kind": kind, "seed": seed, "machine": case.robot.mechanism, "verdict": str(found.verdict)}
-    out |= {"seconds": time.process_time() - begin, "names": [n.term.effect for n in found.effects]}
+    with searching() as spent:
+        found = diagnose(case.robot, case.recording)
+    out |= {"seconds": time.process_time() - begin, "beside": sum(spent), "verdict": str(found.verdict)}
+    out["names"] = [n.term.effect for n in found.effects]
     out["law"] = found.laws[0].text if found.laws else ""
     if case.truth is None or kind not in LAWS:
         return out
@@ -384,6 +390,31 @@ def examine(job: tuple[str, tuple[int, ...]]) -> dict[str, Any]:
     own = {_plain(s, case.truth.limb) for s in (load_law(t.effect) for t in _laws(found)) for s in s.STATE}
     out["right"] = own == set(case.truth.states) and out["alike"] > ALIKE
     return out
+
+
+@contextmanager
+def searching() -> Iterator[list[float]]:
+    """Yield what a diagnosis spends on laws [s of CPU]: a number for each time that it seeks or refines one."""
+    spent: list[float] = []
+
+    def timed(function: Callable[..., Any]) -> Callable[..., Any]:
+        def run(*given: Any, **how: Any) -> Any:
+            begin = time.process_time()
+            try:
+                return function(*given, **how)
+            finally:
+                spent.append(time.process_time() - begin)
+
+        return run
+
+    own = {name: getattr(diagnosis, name) for name in OF_LAWS}
+    try:
+        for name, function in own.items():
+            setattr(diagnosis, name, timed(function))
+        yield spent
+    finally:
+        for name, function in own.items():
+            setattr(diagnosis, name, function)
 
 
 def _laws(found: Diagnosed) -> list[Any]:
@@ -437,15 +468,6 @@ def _likeness(case: Case, found: Diagnosed) -> float:
     return float(abs(a @ b) / max(np.linalg.norm(a) * np.linalg.norm(b), 1e-300))
 
 
-def wilson(hits: int, count: int) -> tuple[float, float]:
-    """Return the 95 % interval of a share (Wilson 1927)."""
-    if not count:
-        return 0.0, 1.0
-    z, p = 1.96, hits / count
-    middle, half = p + z**2 / (2 * count), z * np.sqrt(p * (1 - p) / count + z**2 / (4 * count**2))
-    return float((middle - half) / (1 + z**2 / count)), float((middle + half) / (1 + z**2 / count))
-
-
 def table(entries: Sequence[Mapping[str, Any]]) -> Table:
     """Return what was right, with intervals."""
     out = Table("cases", "what", "share", "95 %")
@@ -474,40 +496,36 @@ def table(entries: Sequence[Mapping[str, Any]]) -> Table:
 def main(arguments: list[str] | None = None) -> int:
     """Run the cases, print the table and what was not right."""
     parser = argparse.ArgumentParser(prog="python -m tests.benchmarks.laws", description=__doc__.split("\n")[0])
-    for kind, count in (("laws", 60), ("orders", 0), ("walks", 30), ("nulls", 30)):
+    for kind, count in (("laws", 200), ("orders", 0), ("walks", 60), ("nulls", 300)):
         parser.add_argument(f"--{kind}", type=int, default=count, metavar="N", help=f"cases (default {count})")
     parser.add_argument("--seed", type=int, default=21)
     parser.add_argument("--quick", action="store_true", help="a few of each")
-    parser.add_argument("--minutes", type=float, default=np.inf, help="stop then; what is done is shown")
-    parser.add_argument("--kept", type=Path, help="file of lines in which what is done is kept")
+    add_options(parser)
     given = parser.parse_args(arguments)
     laws, orders, walks, nulls = (6, 1, 3, 2) if given.quick else (given.laws, given.orders, given.walks, given.nulls)
     jobs = [("foreign" if k % 3 == 2 else "known", (given.seed, 0, k)) for k in range(laws)]
     jobs += [(("walk", "covariate", "slips")[k % 3], (given.seed, 1, k)) for k in range(walks)]
     jobs += [("null", (given.seed, 2, k)) for k in range(nulls)]
     jobs += [("orders", (given.seed, 3, k)) for k in range(orders)]
-    end, done = time.monotonic() + 60 * given.minutes, _kept(given.kept)
-    for job in jobs:
-        if job in done or time.monotonic() > end:
-            continue
-        e = done[job] = examine(job)
-        print({k: v for k, v in e.items() if v or k == "alike"}, file=sys.stderr, flush=True)
-        if given.kept is not None:
-            with given.kept.open("a", encoding="utf-8") as file:
-                file.write(json.dumps(e) + "\n")
-    entries = [done[job] for job in jobs if job in done]
+    found = sit(examine, jobs, given, lambda e: str({k: v for k, v in e.items() if v or k == "alike"}))
+    entries = list(found.done.values())
     Console(width=None if sys.stdout.isatty() else 120).print(table(entries))
-    if seconds := [e["seconds"] for e in entries]:
-        print(f"a diagnosis takes {np.median(seconds):.1f} s, {max(seconds):.1f} s at most")
-    return 0
+    print(*times(entries), sep="\n")
+    return found.code
 
 
-def _kept(path: Path | None) -> dict[tuple[str, tuple[int, ...]], dict[str, Any]]:
-    """Return what a file holds of earlier runs, by kind and seed."""
-    if path is None or not path.exists():
-        return {}
-    entries = map(json.loads, path.read_text(encoding="utf-8").splitlines())
-    return {(e["kind"], tuple(e["seed"])): e for e in entries}
+def times(entries: Sequence[Mapping[str, Any]]) -> list[str]:
+    """Return what a diagnosis takes, and what the search for laws takes beside it."""
+    if not entries:
+        return []
+    whole, beside = (np.array([e[name] for e in entries]) for name in ("seconds", "beside"))
+    longest = entries[int(np.argmax(beside))]
+    return [
+        f"a diagnosis takes {np.median(whole):.1f} s of CPU, {whole.max():.1f} s at most; without the search for laws "
+        f"{np.median(whole - beside):.1f} s",
+        f"the search for laws takes {np.median(beside):.1f} s, {beside.max():.1f} s at most "
+        f"(of {longest['poses']} poses), more than {LONG_S:.0f} s in {int((beside > LONG_S).sum())} of {len(beside)}",
+    ]
 
 
 if __name__ == "__main__":

@@ -6,6 +6,7 @@ import re
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 # by the name that `python -m tests.benchmarks` uses: Numba's cache holds the names of modules
@@ -13,7 +14,19 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 from deltacal_gen.machine.registry import mechanism_names
 from deltacal_gen.pages import manual
 from tests.benchmarks import __main__ as every
-from tests.benchmarks import compile, fuzz, instruments, memory, motion, mutations, nonsense, outputs, scaling, truth
+from tests.benchmarks import (
+    compile,
+    fuzz,
+    instruments,
+    memory,
+    motion,
+    mutations,
+    nonsense,
+    outputs,
+    scaling,
+    thirty,
+    truth,
+)
 from tests.benchmarks.works import WORKS, disagreement, works
 
 QUICK = [name for name in WORKS if not name.endswith("_cold") and "command" not in name]
@@ -119,3 +132,24 @@ def test_an_exact_camera_is_compared_with_what_knows_more(tmp_path: Path, capsys
     said = capsys.readouterr().out
     assert "within three standard deviations: 1" in said
     assert "squared error by the bound's covariance" in said
+
+
+def test_the_constants_that_are_said_to_decide_are_the_ones_that_are_changed() -> None:
+    every = {(module, name) for module, names in thirty.STEERING.items() for name in names}
+    for module, name in every:
+        own, *others = thirty.holders(module, name)
+        before = [getattr(m, name) for m in (own, *others)]
+        with thirty.changed(module, name, 1.3):
+            assert np.all(np.asarray(getattr(own, name)) > np.asarray(before[0])), name
+            assert all(getattr(m, name) is not value for m, value in zip(others, before[1:], strict=True)), name
+        assert getattr(own, name) is before[0]
+    page = (manual.folder() / "real.md").read_text(encoding="utf-8").partition("## The numbers that decide")[2]
+    said = {name for line in page.splitlines() if line.startswith("| ") for name in re.findall(r"`([A-Z_]+)`", line)}
+    assert said <= {name for _, name in every}
+    assert thirty.scaled(2, 0.7) == 1
+    assert thirty.scaled((4, 0.5), 1.3) == (5, 0.65)
+
+
+def test_a_constant_that_shares_its_name_and_value_with_another_is_changed_alone() -> None:
+    holders = {m.__name__ for m in thirty.holders("diagnosis.strategy", "RIVALS")}
+    assert "deltacal_gen.diagnosis.laws.laws" not in holders
