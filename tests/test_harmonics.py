@@ -79,6 +79,7 @@ def test_a_shape_that_is_no_sine_is_named_with_what_its_fundamental_carries(shap
     assert {e.harmonic_of for e in harmonics} == {float(order)}
     assert first.harmonic_of is None
     assert set(orders) <= {float(t.constants[0]) for t in waves(shape, order, 1.0)}
+    assert all(p.std is None for e in harmonics for p in e.parameters if p.name == "order")
     assert found.findings == (first,)
     assert found.harmonics(first) == tuple(harmonics)
     told = f"(transmission_eccentricity) at limb 2, no sine: {order} periods a turn, with harmonics {orders[1]:g}, "

@@ -176,15 +176,14 @@ def named_of(
         lead = min((score - f.score for f in rivals), default=np.inf)
         others = tuple(f.term for f in rivals)
         for i, term in zip(places, own, strict=True):
-            alone = search.freed(i)
-            of_constant, more = alone.spread(term)
+            alone, of = search.freed(i), None if i == places[0] else own[0]
+            of_constant, more = alone.spread(term) if of is None else (None, 0.0)  # a harmonic's order is its own
             variance = np.diag(final.covariance)[final.problem.coefficients(i)]
             std = np.sqrt(np.maximum(variance, 0.0) + more + unnamed.get(form(term), 0.0))
             # of what bears nothing as drawn is known what is believed of any machine
             borne, most = search.fit.problem.borne([term]), largest(term, final.problem.recording.joint_unit)
             std = np.where(borne, std, most.ravel())
             gain = alone.gain(alone.where(term))
-            of = None if i == places[0] else own[0]
             out.append(Named(term, std, gain, 1.0, others, unrecorded, score, of_constant, lead, of))
     # of the held-out variance above noise, each in proportion to what is lost without it
     before, after = heldout

@@ -277,7 +277,7 @@ def seen(found: Diagnosis) -> Seen:
     title, (unit, size) = "geometry alone", shown_in(found)
     strongest = max(range(len(found.effects)), key=lambda i: found.effects[i].share_of_excess, default=None)
     limbs = found.location.limbs if strongest is None else found.effects[strongest].limbs
-    if strongest is not None and (added := contribution(found, strongest)) is not None:
+    if strongest is not None and (added := _of_finding(found, found.effects[strongest])) is not None:
         before, title = after + added, f"without {found.effects[strongest].name.replace('_', ' ')}"
     if before.shape[1] == 1:
         return Seen(before[:, 0] / size, after[:, 0] / size, f"residual, {unit}", title)
@@ -289,6 +289,14 @@ def seen(found: Diagnosis) -> Seen:
     centred = np.nan_to_num(before - np.nanmedian(before, axis=0))
     along = np.linalg.svd(centred, full_matrices=False)[2][0]
     return Seen(before @ along / size, after @ along / size, f"residual where most is left, {unit}", title)
+
+
+def _of_finding(found: Diagnosis, strongest: Effect) -> Array | None:
+    """Return what an effect, a periodic error with its harmonics, adds to readings (R, 3) [mm]; see `contribution`."""
+    first = next(e for e in found.findings if strongest in (e, *found.harmonics(e)))
+    own = (first, *found.harmonics(first))
+    parts = [contribution(found, i) for i, e in enumerate(found.effects) if e in own]
+    return None if any(p is None for p in parts) else np.sum([p for p in parts if p is not None], axis=0)
 
 
 def _one_frame(found: Diagnosis) -> bool:
