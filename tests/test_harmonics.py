@@ -11,7 +11,7 @@ from deltacal_gen.diagnosis.charges import MARGIN, charge
 from deltacal_gen.diagnosis.harmonics import LONGEST, grouped, is_multiple, lowest_repeating, once, series
 from deltacal_gen.pages import report
 from deltacal_gen.physics.terms import Term
-from tests.left_out import diagnosis, effect, machine, record
+from tests.left_out import channels, diagnosis, effect, machine, record
 
 ORDERS = tuple(float(k) for k in range(1, 101))
 WAVE = "transmission_eccentricity"
@@ -88,6 +88,13 @@ def test_a_shape_that_is_no_sine_is_named_with_what_its_fundamental_carries(shap
     assert page.count(f"no sine: with harmonics {orders[1]:g}, ") == 1
     assert found.final.heldout_rms_mm is not None
     assert found.final.heldout_rms_mm < 0.016  # of .01 noise; three waves leave .02
+
+
+def test_joints_that_hardly_move_show_no_period() -> None:
+    robot = machine()
+    joints = np.random.default_rng(2).uniform(-1.5, 1.5, (60, 3))
+    found = diagnosis(robot, record(robot, effect("backlash", (2,), 0.03), joints=joints, of=channels(60, "approach")))
+    assert [(e.name, e.limbs) for e in found.effects] == [("backlash", (2,))]
 
 
 def test_one_sine_stays_one_effect() -> None:

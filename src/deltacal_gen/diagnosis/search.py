@@ -234,7 +234,7 @@ class Search:
         """
         first = terms[0]
         if len(terms) > 1:
-            return charge(first, len(self._series(first).places), len(terms))
+            return charge(first, max(len(self._series(first).places), 1), len(terms))
         return charge(first, sum(t.effect == first.effect for t in self.terms))
 
     def _series(self, term: Term) -> Series:
@@ -327,6 +327,8 @@ class Search:
             waves = [on_limbs(t, limbs) for t in every]
             own = places(every[0], waves[0])
             holds = self._series(waves[0]).holds & free
+            if not len(holds):
+                continue  # no order repeats on so short a way
             prices = np.array([charge(waves[0], len(holds), n) for n in range(LONGEST + 1)])[holds.sum(axis=1)]
             # waves that share nothing explain no more together than each alone
             most = holds @ gains(G[:, own][:, :, own], b[:, own])

@@ -35,7 +35,7 @@ CORNER = 10.0  # order at which the search for the corner begins; it doubles and
 SAMPLE = 500  # readings at which the error's standard deviation is looked at
 ROUNDS = 200  # of the estimation of sizes, each of them cheap
 IDLE = 0.05  # of a joint's variance: so little is at the highest orders that nothing else could take it for its own
-STANDS_OUT = 2.0  # standard deviations of an amplitude: what is told of an order that is nearer to none helps nobody
+STANDS_OUT = 2.45  # standard deviations of an amplitude: 95 % of those of an order that is not there are smaller
 MOST_OUT = 5  # orders of a joint that are told
 SAME_NOISE = 1.5  # times: variances of noise that differ less weigh priors alike
 
