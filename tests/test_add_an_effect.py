@@ -138,7 +138,7 @@ def test_the_true_machine_sent_by_it_stands_where_it_was_wanted(added: Checkout)
     joints = np.genfromtxt(folder / "joints.csv", delimiter=",", names=True)
     sent = [np.column_stack([joints[q] for q in JOINTS])]
     text = (folder / "command.c").read_text(encoding="utf-8")
-    assert f"{name} at joint {LIMB}" in text
+    assert f"{name} at limb {LIMB}" in text
     if COMPILER:
         sent.append(commanded_in_c(added, targets, now))
     every = dict(zip(JOINTS, np.vstack(sent).T, strict=True))

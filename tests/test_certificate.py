@@ -168,7 +168,7 @@ def test_readings_of_another_kind_are_certified_in_their_own_unit(tmp_path: Path
     found = dc.certificate(dc.identify(robot, given.subset(slice(20))), given.subset(slice(20, 40)))
     assert (found.unit, found.kind) == ("deg", "encoder")
     assert found.unit_mm is not None
-    assert found["after"]["rms_deg"] == pytest.approx(0.01 / found.unit_mm, rel=0.2)  # noise of mm at the platform
+    assert found["after"]["rms_deg"] == pytest.approx(0.01, rel=0.2)
     assert f"calibrated by {found['after']['rms_deg']:.4f} deg" in page_of(found)
     assert flaws(dcc(found)) == []
 

@@ -36,7 +36,8 @@ WORKSPACE = "a place in the cylinder of the workspace, by its radius and its ang
 CHAIN_RULE = "derivatives of the kernels, multiplied"
 BEGUN = "a first estimate by linear algebra (Zhang 2000; Shah 2013), which the derived images then correct"
 FUNCTIONS = {
-    "app/fleet.py:_grown": "two standard deviations together",
+    "diagnosis/spectrum.py:_standing": "the amplitude of a wave of cosine and sine, and how well it is known",
+    "app/moved.py:grown": "two standard deviations together",
     "diagnosis/laws/told.py:_law": "two standard deviations together",
     "diagnosis/structure.py:_functions": "waves of a channel: what is smooth in it, of no machine",
     "diagnosis/wandering.py:_columns": "functions of a random walk in time, of no machine",

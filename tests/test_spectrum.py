@@ -61,7 +61,7 @@ def taken(folder: Path, name: str, noise: float, concealed: bool, seed: int, spa
     q = np.random.default_rng(seed).uniform(-span, span, (250, 6))
     header = ",".join(f"q{i}_deg" for i in range(1, 7))
     np.savetxt(folder / f"{name}.csv", q, delimiter=",", header=header, comments="")
-    (folder / f"{name}.toml").write_text('[measurement]\nkind = "pose"\nframe = "unknown"\n')
+    (folder / f"{name}.toml").write_text('[measurement]\nkind = "pose"\nframe = "unknown"\nsigma_deg = 0.0005\n')
     out = folder / f"{name}_read.csv"
     commands.simulate(
         folder / "robot.toml", folder / f"{name}.csv", out, truth=folder / "truth.toml", noise=noise, seed=seed

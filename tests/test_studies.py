@@ -189,7 +189,7 @@ def test_a_plan_of_a_second_encoder_says_what_a_diagnosis_would_find(robot: Robo
     assert (found["position"], found["advice"], found["machines"]) == (None, None, 0)
     assert found["sigma_deg"] == pytest.approx(0.02)
     assert [s["named_right"] for s in found["suspects"]] == [2, 2]
-    assert "backlash 2 concealed: said so in 2 of 2" in text
+    assert "backlash at limb 2 concealed: said so in 2 of 2" in text
     assert "2 of 2 recordings say" in page.read_text()
     assert "held out before, deg" in page.read_text()
     bare = tmp_path / "bare.toml"

@@ -59,7 +59,7 @@ def main(arguments: list[str] | None = None) -> int:
 
         def simulate(source: Path) -> None:
             rng = np.random.default_rng(1)
-            streams.simulate(ROBOT, source, recording, {"L_1": 0.1}, noise_mm=0.01, rng=rng)
+            streams.simulate(ROBOT, source, recording, {"L_1": 0.1}, noise=0.01, rng=rng)
 
         for kind in ("csv", "parquet"):
             if kind == "parquet":

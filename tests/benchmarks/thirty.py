@@ -56,7 +56,7 @@ STEERING = {
     "diagnosis.search": ("REFINED", "NEAR_BEST", "ASIDE"),
     "diagnosis.library": ("MIXED", "NEIGHBOURS", "SIZES", "SIZE_STEP"),
     "diagnosis.structure": ("FEWEST_NEIGHBOURS", "FUNCTIONS", "LEVELS", "CENTRES", "RADII"),
-    "diagnosis.spectrum": ("MARGIN", "PROVEN", "LEAST_TURN", "IDLE", "SAME_NOISE"),
+    "diagnosis.spectrum": ("MARGIN", "STANDS_OUT", "PROVEN", "LEAST_TURN", "IDLE", "SAME_NOISE"),
     "diagnosis.components": ("SIZES", "SWEEPS"),
     "diagnosis.wandering": ("MODES",),
     "diagnosis.scattering": ("ROUNDED", "SIZES"),

@@ -25,13 +25,14 @@ from deltacal_gen.diagnosis.correction import BorneOut, borne_out_beside
 from deltacal_gen.diagnosis.discrimination import Question, next_measurements
 from deltacal_gen.diagnosis.findings import (
     AMBIGUOUS,
+    Named,
     location_of,
     named_of,
     only_turned,
     rejected_of,
     turned_of,
 )
-from deltacal_gen.diagnosis.hints import hinted, outweighed, told
+from deltacal_gen.diagnosis.hints import Hinted, hinted, outweighed, told
 from deltacal_gen.diagnosis.laws.laws import Lawful, Sought, laws
 from deltacal_gen.diagnosis.laws.remainder import with_remainder
 from deltacal_gen.diagnosis.library import library
@@ -116,14 +117,14 @@ def diagnose(
     # what comes near its price, or is not borne out, is no finding, but worth a measurement
     doubtful = [] if lean else hinted(search, AMBIGUOUS)
     doubtful += outweighed(search, white.search, doubtful, AMBIGUOUS)
-    before, after = _held_out(found, search, lawful)
+    heldout = _held_out(found, search, lawful)
     del begun, white, calm  # columns of all forms, which take more memory than all readings
     progress(f"fit of all {len(problem.readings)} readings")
     baseline, current, spectrum = _of_all(problem, first, search.fit, spectrum)
     search = _without_refuted(some, search, current)
     current = _as_is_known(problem, current, lawful)
     unexplained |= _left_beside(lawful, current)
-    heldout = (before, after if spectrum is None else spectrum.heldout[1])
+    heldout = heldout if spectrum is None else (heldout[0], spectrum.heldout[1])
     known = noise(current, recording) if unexplained else doubted(noise(current, recording), current)
     named = named_of(search, current, heldout, known.sigma, spectrum)
     chance = Chance(Search(_beside_noise_of(search.fit, first), terms), np.random.default_rng(SEED))
@@ -131,8 +132,7 @@ def diagnose(
     of, shows = (found.search.fit, found.left) if lawful else (search.fit, left)
     location = location_of(of, shows, named, spectrum, chance, not (unexplained or lawful), found.wandering)
     progress("what to measure next")
-    asked = *(Question(n.term, n.rivals, n.unrecorded) for n in named if not n.fundamental), *sought.questions
-    questions = [*asked, *(Question(h.term, proven=False) for h in doubtful)]
+    questions = _questions(named, sought, doubtful)
     return Diagnosed(
         verdict=Verdict.UNEXPLAINED if unexplained else _verdict(current),
         model=model,
@@ -155,6 +155,12 @@ def diagnose(
         turned=turned_of(robot, found.considered) if lawful or unexplained else "",
         doubts=(*doubt, *checks.copied(recording)),
     )
+
+
+def _questions(named: Sequence[Named], sought: Sought, doubtful: Sequence[Hinted]) -> list[Question]:
+    """Return what is open: rivals of findings, laws, and what is a hint."""
+    asked = [Question(n.term, n.rivals, n.unrecorded) for n in named if n.fundamental is None]
+    return [*asked, *sought.questions, *(Question(h.term, proven=False) for h in doubtful)]
 
 
 def _geometry(robot: Robot, recording: Recording, model: str | None) -> tuple[Problem, str, bool]:

@@ -10,7 +10,7 @@ error repeats is claimed only where it was seen to: over more than one period.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cache
 from typing import NamedTuple
 
@@ -86,26 +86,31 @@ def is_multiple(order: float, of: float) -> bool:
     return ratio.is_integer() and ratio >= 1
 
 
-def grouped(terms: Sequence[Term], repeats: Callable[[Term], bool]) -> list[tuple[int, ...]]:
-    """Return which terms are one finding: waves of the same limbs whose orders are multiples of one that repeats.
+def _following(
+    waves: Mapping[tuple[tuple[int, ...], float], int], limbs: tuple[int, ...], order: float, step: int, taken: set[int]
+) -> Iterator[int]:
+    """Yield the waves that follow one another on a lattice, up to the first that is missing."""
+    for m in range(LONGEST):
+        place = waves.get((limbs, round((1 + step * m) * order, DIGITS)))
+        if place is None or place in taken:
+            return
+        yield place
 
-    Every other term stands alone.
+
+def grouped(terms: Sequence[Term], repeats: Callable[[Term], bool]) -> list[tuple[int, ...]]:
+    """Return which terms are one finding: waves of the same limbs that follow one another from a fundamental on.
+
+    Every other term stands alone, also waves whose orders happen to be multiples of a much lower one's.
     """
     out: list[tuple[int, ...]] = []
     taken: set[int] = set()
-    waves = sorted((i for i, t in enumerate(terms) if several(t.effect)), key=lambda i: order_of(terms[i]))
-    for i in waves:
-        if i not in taken:
-            others = waves if repeats(terms[i]) else ()
-            own = (i, *(j for j in others if j not in taken and _harmonic(terms[j], terms[i])))
-            taken |= set(own)
-            out.append(own)
+    waves = {(t.limbs, round(order_of(t), DIGITS)): i for i, t in enumerate(terms) if several(t.effect)}
+    for (limbs, order), i in sorted(waves.items(), key=lambda item: item[0][1]):
+        if i in taken:
+            continue
+        own: tuple[int, ...] = (i,)
+        for step in LATTICES if repeats(terms[i]) else ():
+            own = max(own, tuple(_following(waves, limbs, order, step, taken)), key=len)
+        taken |= set(own)
+        out.append(own)
     return sorted([*out, *((i,) for i, t in enumerate(terms) if not several(t.effect))])
-
-
-def _harmonic(term: Term, of: Term) -> bool:
-    """Tell whether a term is a harmonic of a wave, on the same limbs."""
-    if term.effect != of.effect or term.limbs != of.limbs:
-        return False
-    most = 1 + LATTICES[-1] * (LONGEST - 1)
-    return is_multiple(order_of(term), order_of(of)) and 1.5 < order_of(term) / order_of(of) < most + 0.5

@@ -334,7 +334,9 @@ class Search:
             most = holds @ gains(G[:, own][:, :, own], b[:, own])
             for s in np.flatnonzero(most > prices + max(found.score, 0.0) + MARGIN):
                 tried.append(self._together([waves[k] for k in np.flatnonzero(holds[s])], len(holds)))
-        best = max(tried, key=lambda f: f.score, default=found)
+        if not tried:
+            return found
+        best = max(tried, key=lambda f: f.score)
         if best.score < max(found.score, self._once(best)) + MARGIN:
             return found
         alike = (f for f in tried if f.score > best.score - MARGIN)

@@ -132,7 +132,9 @@ def _from_both_sides(robot: Robot, kind: str | None) -> str | None:
     name = next((n for n in kinds.names() if kind in (n, *kinds.kind_of(n).aliases)), kind)
     if name in kinds.names() and kinds.kind_of(name).sees_joints:
         return name
-    return kinds.POINTS if mechanism_of(robot).limbs == 1 and name in (None, kinds.POINTS) else None
+    machine = mechanism_of(robot)
+    one_axis = machine.limbs == 1 and machine.many_ways  # a chain of one joint
+    return kinds.POINTS if one_axis and name in (None, kinds.POINTS) else None
 
 
 def _both_sides(robot: Robot, kind: str, output: Source | None, **options: Any) -> CyclePlan:
