@@ -334,10 +334,8 @@ class Search:
             most = holds @ gains(G[:, own][:, :, own], b[:, own])
             for s in np.flatnonzero(most > prices + max(found.score, 0.0) + MARGIN):
                 tried.append(self._together([waves[k] for k in np.flatnonzero(holds[s])], len(holds)))
-        if not tried:
-            return found
-        best = max(tried, key=lambda f: f.score)
-        if best.score < max(found.score, self._once(best)) + MARGIN:
+        best = max(tried, key=lambda f: f.score, default=None)
+        if best is None or best.score < found.score + MARGIN or best.score < self._once(best) + MARGIN:
             return found
         alike = (f for f in tried if f.score > best.score - MARGIN)
         return min(alike, key=lambda f: (len(f.terms) * len(f.term.limbs), -f.score))
@@ -354,8 +352,14 @@ class Search:
             t for t in self._forms(found.term.effect) if order_of(t) <= top and is_multiple(order_of(t), slowest)
         ]
         waves = [on_limbs(t, found.term.limbs) for t in lattice if key(t) not in self.effects]
+        if not waves:
+            return -np.inf
+        G, b = self.normal(self.columns_of(*waves))
+        # of the first so many all at once: what each column adds to those before it
+        added = np.linalg.solve(np.linalg.cholesky(G + SMALLEST * np.eye(len(b))), b) ** 2
+        gain = np.cumsum(added)[waves[0].n_coefficients - 1 :: waves[0].n_coefficients]
         forms = len(self._series(found.term).holds)
-        return max((self._together(waves[:n], forms).score for n in range(1, len(waves) + 1)), default=-np.inf)
+        return float(max(g - charge(waves[0], forms, n) for n, g in enumerate(gain, start=1)))
 
     def _beyond(self, form: Term, G: Array, b: Array, size: Array) -> list[Beyond]:
         """Return what of a form's best coefficients cannot be."""
