@@ -51,7 +51,7 @@ STEERING = {
         *("MOST_EFFECTS", "MOST_WAVES", "REVISIONS", "FEW", "RIVALS", "NEAR", "GIVEN_UP"),
     ),
     "diagnosis.charges": ("CHANCE", "MARGIN"),
-    "diagnosis.harmonics": ("LONGEST", "SEEN_TWICE"),
+    "diagnosis.harmonics": ("FEW", "LONGEST", "SEEN_TWICE"),
     "diagnosis.chance": ("MOST_LEVERAGE", "LEAST_REST", "PROVEN"),
     "diagnosis.search": ("REFINED", "NEAR_BEST", "ASIDE"),
     "diagnosis.library": ("MIXED", "NEIGHBOURS", "SIZES", "SIZE_STEP"),

@@ -22,6 +22,7 @@ from deltacal_gen.physics.terms import Term
 LONGEST = 10  # waves of one period: what finer ones carry is a few per cent of any shape that a machine has
 LATTICES = (1, 2)  # every multiple of the fundamental, or every second one
 SEEN_TWICE = 1.25  # periods over which joints moved: a quarter of one was then seen twice
+FEW = 0.1  # of the scalars, at most as many coefficients: more explain by their number, whatever the shape
 DIGITS = 6  # to which multiples of orders are alike: they differ by rounding
 
 

@@ -31,6 +31,7 @@ from deltacal_gen.diagnosis.charges import (
     several,
 )
 from deltacal_gen.diagnosis.harmonics import (
+    FEW,
     LONGEST,
     Series,
     grouped,
@@ -329,10 +330,12 @@ class Search:
             holds = self._series(waves[0]).holds & free
             if not len(holds):
                 continue  # no order repeats on so short a way
-            prices = np.array([charge(waves[0], len(holds), n) for n in range(LONGEST + 1)])[holds.sum(axis=1)]
+            count = holds.sum(axis=1)
+            prices = np.array([charge(waves[0], len(holds), n) for n in range(LONGEST + 1)])[count]
             # waves that share nothing explain no more together than each alone
             most = holds @ gains(G[:, own][:, :, own], b[:, own])
-            for s in np.flatnonzero(most > prices + max(found.score, 0.0) + MARGIN):
+            few = count * waves[0].n_coefficients <= FEW * self.readings
+            for s in np.flatnonzero(few & (most > prices + max(found.score, 0.0) + MARGIN)):
                 tried.append(self._together([waves[k] for k in np.flatnonzero(holds[s])], len(holds)))
         best = max(tried, key=lambda f: f.score, default=None)
         if best is None or best.score < found.score + MARGIN or best.score < self._once(best) + MARGIN:
