@@ -53,7 +53,11 @@ def outcome(at: Fit) -> Any:
     """Return what a search has found, as far as laws ask."""
     return SimpleNamespace(
         problem=at.problem.with_names(at.problem.names),
-        search=SimpleNamespace(fit=at, price=lambda term: 5.0 * term.n_coefficients),
+        search=SimpleNamespace(
+            fit=at,
+            price=lambda term: 5.0 * term.n_coefficients,
+            grouped=lambda terms: [(i,) for i in range(len(terms))],
+        ),
         unexplained=True,
     )
 

@@ -164,7 +164,7 @@ def _beside(
     if base is None:
         return Sought()
     progress("laws")
-    instead = Instead() if beside else Instead(names, sum(_price(t, found) for t in names))
+    instead = Instead() if beside else Instead(names, sum(_prices(names, found)))
     proof = proven(problem, base, instead, again=not beside)
     if proof is None:
         return Sought()
@@ -220,9 +220,13 @@ def _calm(problem: Problem, grown: Grown) -> Grown:
     return grown if fit is None else dataclasses.replace(grown, fit=fit)
 
 
-def _price(term: Term, found: Outcome) -> float:
-    """Return what a named effect has to earn."""
-    return found.search.price(term) + MARGIN
+def _prices(terms: Sequence[Term], found: Outcome) -> list[float]:
+    """Return what each named effect has to earn; waves of one finding share what they earn together."""
+    out = [0.0] * len(terms)
+    for own in found.search.grouped(terms):
+        for i in own:
+            out[i] = (found.search.price(*(terms[k] for k in own)) + MARGIN) / len(own)
+    return out
 
 
 def _of_all(problem: Problem, base: Fit, grown: Grown, names: Sequence[Term]) -> Grown | None:
@@ -245,7 +249,7 @@ def _needed(problem: Problem, grown: Grown, found: Outcome) -> Grown:
     while True:
         terms, now = terms_of(grown.fit), deviance_of(grown.fit)
         count = len(terms) - len(grown.law)
-        prices = [*(_price(t, found) for t in terms[:count]), *(t.price + MARGIN for t in grown.law)]
+        prices = [*_prices(terms[:count], found), *(t.price + MARGIN for t in grown.law)]
         order = sorted(range(len(terms)), key=lambda i: _earned(grown.fit, i) - prices[i])
         for worst in order[:DOUBTED]:
             at = refitted(problem, grown.fit, terms[:worst] + terms[worst + 1 :], tolerance=COMPARED)
@@ -309,7 +313,7 @@ def _told(problem: Problem, grown: Grown, proof: Proof, found: Outcome) -> list[
 
 def _cost(grown: Grown, found: Outcome) -> float:
     """Return the deviance of a law and the names beside it, and the price of all of them."""
-    names = sum(_price(t, found) for t in grown.names)
+    names = sum(_prices(grown.names, found))
     return deviance_of(grown.fit) + names + sum(t.price + MARGIN for t in grown.law)
 
 
