@@ -55,8 +55,10 @@ COMMON = (
     "rotations.py",
     "images.py",
     "effects/__init__.py",
+    "effects/compiled/__init__.py",
     "effects/states.py",
     "measurements/__init__.py",
+    "measurements/compiled/__init__.py",
 )
 
 Spec = LimbMechanism | ChainMechanism | Effect | Measurement
@@ -160,9 +162,7 @@ def write_one(lowered: Lowered) -> dict[Path, str]:
     if isinstance(spec, Effect):
         return _effect(spec, kernels["effect"])
     if isinstance(spec, Measurement):
-        names = ", ".join(platform_names(spec))
-        path = Path("measurements") / f"{spec.name}.py"
-        return {path: _file("measurement.py", spec, measurement=spec, kernels=kernels["measurement"], arguments=names)}
+        return _measurement(spec, kernels["measurement"])
     folder = Path(spec.name)
     texts = {folder / "__init__.py": f'"""{spec.title}: tables and kernels."""\n'}
     if isinstance(spec, ChainMechanism):
@@ -185,7 +185,8 @@ def write_one(lowered: Lowered) -> dict[Path, str]:
             "command_constants": command_constants,
         },
         "vectorised.py": {"kernels": moving},
-        "statics.py": {"kernels": kernels["statics"]},
+        "compiled/__init__.py": {},
+        "statics.py": {"functions": (statics_rows := _statics(spec, kernels["statics"]))},
         "inverse.c": {"kernels": {**kernels["exported"], **moving}, "constants": command_constants},
         "linear.c": {"kernels": kernels["exported"]},
     }
@@ -201,21 +202,72 @@ def write_one(lowered: Lowered) -> dict[Path, str]:
         contents["nominal.py"] = {"kernels": kernels["nominal"]}
     for name, context in contents.items():
         texts[folder / name] = _file(f"mechanism/{name}", spec, mechanism=spec, **{**layouts, **context})
-    return texts
+    return texts | _rows(folder / "statics.py", spec, f"Generalised loads of `{spec.name}`: {spec.title}", statics_rows)
+
+
+def _rows(path: Path, spec: Spec, title: str, functions: Sequence[lanes.RowFunction]) -> dict[Path, str]:
+    """Return a module of functions over rows for Numba, beside the NumPy module of a path."""
+    return {path.parent / "compiled" / path.name: _file("rows.py", spec, title=title, functions=functions)}
+
+
+def _statics(spec: LimbMechanism, kernels: Kernels) -> list[lanes.RowFunction]:
+    """Return what weights exert, of a limb and of the platform, and where they are."""
+    arguments: dict[str, tuple[str, ...]] = {
+        "limb": ("x", "q", "tool", "p", "masses", "fields"),
+        "limb_points": ("x", "q", "tool", "p", "masses"),
+        "platform": ("x", "tool", "masses", "payload", "fields"),
+        "platform_points": ("x", "tool", "masses", "payload"),
+    }
+    return [
+        lanes.RowFunction(name, kernels[name], called, (kernels[name].length,), ("masses",))
+        for name, called in arguments.items()
+    ]
+
+
+def _measurement(spec: Measurement, kernels: Kernels) -> dict[Path, str]:
+    """Return a measurement in NumPy and for Numba."""
+    names, path = platform_names(spec), Path("measurements") / f"{spec.name}.py"
+    moved = len(spec.platforms[0].displacement)
+    rows = kernels["reading"].length + (3 if spec.rotation else 0)
+    shapes: dict[str, tuple[int, ...]] = {"reading": (kernels["reading"].length,)}
+    if spec.rotation:
+        shapes["rotation"] = (3, 3)
+    shapes["by_platform"] = (rows, len(names), moved)
+    if spec.unknown:
+        shapes["by_unknown"] = (rows, len(spec.unknown))
+    functions = [lanes.RowFunction(name, kernels[name], (*names, "given"), shape) for name, shape in shapes.items()]
+    if spec.unknown:
+        functions.append(lanes.RowFunction("stepped", kernels["stepped"], ("given", "step"), (len(spec.given),)))
+    context = {"measurement": spec, "kernels": kernels, "arguments": ", ".join(names), "functions": functions}
+    title = spec.meaning[0].upper() + spec.meaning[1:]
+    return {path: _file("measurement.py", spec, **context), **_rows(path, spec, title, functions)}
 
 
 def _effect(spec: Effect, kernels: Kernels) -> dict[Path, str]:
-    """Return an effect in NumPy and, where a controller knows all that it reads, or tells a drive, in C."""
+    """Return an effect in NumPy, for Numba and, where a controller knows all that it reads, or tells a drive, in C."""
     read = spec.states
+    moved, n_c, n_m = len(spec.targets), len(spec.coefficients), len(spec.memory)
+    called = ("s", "c", "constants")
+    shapes: dict[str, tuple[tuple[str, ...], tuple[int, ...]]] = {
+        "value": (called, (moved,)),
+        "jacobian": (called, (moved, n_c)),
+    }
+    if spec.memory:
+        shapes["by_memory"] = called, (moved, n_m)
+        shapes["start"] = called, (n_m,)
+        shapes["step"] = ("z", "s", "to", "h", "c", "constants"), (n_m, 2 + n_c)
+    functions = [
+        lanes.RowFunction(name, kernels[name], arguments, shape, ("constants",))
+        for name, (arguments, shape) in shapes.items()
+    ]
     before = all(s.c99 for s in read) and not spec.memory
     in_c = (set(spec.targets) == {"joint"} and before) or spec.acts_on == "drive"
-    endings = ["py", "c"] if in_c else ["py"]
-    return {
-        Path("effects") / f"{spec.name}.{ending}": _file(
-            f"effect.{ending}", spec, effect=spec, states=read, kernels=kernels
-        )
-        for ending in endings
+    path, title = Path("effects") / f"{spec.name}.py", spec.title[0].upper() + spec.title[1:]
+    context = {"effect": spec, "states": read, "kernels": kernels, "functions": functions}
+    texts = {
+        path.with_suffix(f".{ending}"): _file(f"effect.{ending}", spec, **context) for ending in ("py", "c")[: 1 + in_c]
     }
+    return texts | _rows(path, spec, title, functions)
 
 
 def _tables(mechanism: LimbMechanism) -> dict[str, Any]:
@@ -334,7 +386,7 @@ def committed(names: Sequence[str] = ()) -> dict[Path, str]:
 def _is_of(path: Path, names: Sequence[str]) -> bool:
     """Tell whether a file is of one of the names, or of none."""
     common = path.parent == Path() or path.as_posix() in COMMON
-    return common or path.parent.as_posix() in names or path.stem in names
+    return common or path.parts[0] in names or path.stem in names
 
 
 def differences(fresh: Mapping[Path, str], old: Mapping[Path, str]) -> list[str]:

@@ -125,8 +125,9 @@ def test_loads_are_those_of_virtual_work(name: str, machines: dict[str, Machine]
     tool = np.tile(machine.tool, (len(machine.x), 1))
 
     def points(own: Array, q: Array) -> Array:
-        found = mechanism._statics.points(own, q, tool, machine.rows, weighed, np.full(len(own), payload))
-        return np.asarray(found.reshape(len(own), -1))
+        kernels, limbs = mechanism._statics, range(mechanism.limbs)
+        parts = [kernels.limb_points(own, q[:, i], tool, machine.rows[:, i], weighed) for i in limbs]
+        return np.hstack([*parts, kernels.platform_points(own, tool, weighed, np.full(len(own), payload))])
 
     own = np.ascontiguousarray(machine.own[:, machine.at])
 

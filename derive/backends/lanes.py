@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import ClassVar
 
@@ -108,6 +108,61 @@ def rows(kernel: Kernel, array: str, width: int) -> Lines:
     return written(kernel, PRINTER, layout, lambda j: f"k[{kernel.length} * lane + {j}]")
 
 
+@dataclass(frozen=True)
+class RowFunction:
+    """A kernel as a function over rows, for text in which it is a loop over them.
+
+    Attributes
+    ----------
+    name : str
+    kernel : Kernel
+    arguments : tuple of str
+        Names of the arrays.
+    shape : tuple of int
+        Of what a row results in.
+    shared : tuple of str
+        Arrays that are the same for all rows; of the others, row `lane` begins at ``ARRAY_every * lane``.
+    """
+
+    name: str
+    kernel: Kernel
+    arguments: tuple[str, ...]
+    shape: tuple[int, ...]
+    shared: tuple[str, ...] = ()
+
+    @property
+    def over(self) -> list[str]:
+        """Arrays that have rows."""
+        return [name for name in self.arguments if name not in self.shared]
+
+    @property
+    def single(self) -> set[str]:
+        """Arrays that have one number in a row."""
+        return {load.place.array for load in self.kernel.loads if load.place.index is None}
+
+    @property
+    def dimensions(self) -> tuple[int, ...]:
+        """How many each array has."""
+        return tuple(1 if name in self.shared or name in self.single else 2 for name in self.arguments)
+
+    @property
+    def lines(self) -> Lines:
+        """The body of the loop.
+
+        Raises
+        ------
+        ValueError
+            A number would be called what an array is called.
+        """
+        forms = {name: f"{name}[{name}_every * lane + {{}}]" for name in self.over}
+        layout = arrays(**forms | {name: f"{name}[{name}_every * lane]" for name in self.single})
+        taken = {"lane", "many", "out", *self.arguments, *(f"{name}_every" for name in self.over)}
+        names = {load.symbol: f"{load.symbol}_here" for load in self.kernel.loads if str(load.symbol) in taken}
+        if clash := taken & {str(node.symbol) for node in self.kernel.assigns}:
+            raise ValueError(f"{self.kernel.name}: {', '.join(sorted(clash))} is the name of an array here.")
+        return written(self.kernel, PRINTER, layout, lambda j: f"out[{self.kernel.length} * lane + {j}]", names)
+
+
 class Limb:
     """A kernel of one limb, for text in which the limbs of a machine stand side by side.
 
@@ -156,9 +211,3 @@ def of_numbers(kernel: Kernel, **forms: str) -> Lines:
 def results(kernel: Kernel) -> list[str]:
     """Return the texts of what a kernel stores, in order."""
     return [PRINTER.expression(store.expr) for store in kernel.stores]
-
-
-def functions_of(kernels: Sequence[Kernel]) -> list[str]:
-    """Return the elementary functions that the kernels call, by name."""
-    used = {type(f).__name__ for kernel in kernels for e in kernel.expressions for f in e.atoms(sp.Function)}
-    return sorted(PRINTER.functions[name] for name in used & set(PRINTER.functions))

@@ -1,7 +1,7 @@
 """Play, flips with the direction of approach.
 
 Generated from derive/effects/backlash.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 835a224ef8e789d4; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 1746e1c7e30a7be2; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): approach;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -14,6 +14,7 @@ TITLE = "play, flips with the direction of approach"
 ADVICE = "Look for play in the gearbox and its couplings, and take it out. Until then command by the direction of approach, or always arrive from the same side."
 PER_LIMB = True
 ACTS_ON = "limb"
+OVER_ROWS = ("value", "jacobian", )  # functions over rows, which Numba compiles, too
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("approach", )
 TARGETS = ("joint", )

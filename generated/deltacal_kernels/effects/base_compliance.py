@@ -1,7 +1,7 @@
 """Frame tilts under the moving weight.
 
 Generated from derive/effects/base_compliance.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 78a0f9463a98f3bd; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 541dcb6feda4b0d1; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): moment_x moment_y;
 coefficients c (M or 1, 2); constants, one number each. Units mm, rad, N, s, K.
@@ -14,6 +14,7 @@ TITLE = "frame tilts under the moving weight"
 ADVICE = "Check the frame's fixing and stiffness. Until then command by the payload, or calibrate with the payload that is carried."
 PER_LIMB = False
 ACTS_ON = "base"
+OVER_ROWS = ("value", "jacobian", )  # functions over rows, which Numba compiles, too
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("moment_x", "moment_y", )
 TARGETS = ("turn.x", "turn.y", )

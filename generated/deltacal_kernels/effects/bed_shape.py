@@ -1,7 +1,7 @@
 """The bed is not flat.
 
 Generated from derive/effects/bed_shape.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 69bf797e273734f6; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 782d144cfed8a29b; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 3): b x y;
 coefficients c (M or 1, 9); constants, one number each. Units mm, rad, N, s, K.
@@ -14,6 +14,7 @@ TITLE = "the bed is not flat"
 ADVICE = "Use a flatter bed, or print with a bed mesh; the geometry must not take it over."
 PER_LIMB = False
 ACTS_ON = "reading"
+OVER_ROWS = ("value", "jacobian", )  # functions over rows, which Numba compiles, too
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("b", "x", "y", )
 TARGETS = ("height", )

@@ -1,7 +1,7 @@
 """Column leans the more, the higher it is.
 
 Generated from derive/effects/column_lean.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both a0b5efa02028a71f; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 4f5ac7cdb49535e4; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 7): q on_side_x on_side_y on_tilt_x on_tilt_y foot slides;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -14,6 +14,7 @@ TITLE = "column leans the more, the higher it is"
 ADVICE = "Check the column's guides and its foot. The lean repeats with load and height, so that commands by the payload undo it."
 PER_LIMB = True
 ACTS_ON = "limb"
+OVER_ROWS = ("value", "jacobian", )  # functions over rows, which Numba compiles, too
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("q", "on_side_x", "on_side_y", "on_tilt_x", "on_tilt_y", "foot", "slides", )
 TARGETS = ("limb.tilt_x", "limb.tilt_y", "limb.side_x", "limb.side_y", )

@@ -1,7 +1,7 @@
 """Dry friction.
 
 Generated from derive/effects/coulomb_friction.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both d110449fce2f9623; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 11f9861169afa522; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): qd;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -14,6 +14,7 @@ TITLE = "dry friction"
 ADVICE = "Every joint has some. More than last time is a seal, a bearing under too much preload, or a brake that drags; the feed-forward torque takes it along."
 PER_LIMB = True
 ACTS_ON = "drive"
+OVER_ROWS = ("value", "jacobian", )  # functions over rows, which Numba compiles, too
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("qd", )
 TARGETS = ("torque", )

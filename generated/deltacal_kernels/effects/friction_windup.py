@@ -1,7 +1,7 @@
 """Friction winds the joint up, by direction and load.
 
 Generated from derive/effects/friction_windup.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 8a81a463959205c8; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 07ab8d425176a0c0; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): approach torque;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -14,6 +14,7 @@ TITLE = "friction winds the joint up, by direction and load"
 ADVICE = "Look for friction in the joint and for a soft transmission behind it. Until then command by direction of approach and payload."
 PER_LIMB = True
 ACTS_ON = "limb"
+OVER_ROWS = ("value", "jacobian", )  # functions over rows, which Numba compiles, too
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("approach", "torque", )
 TARGETS = ("joint", )

@@ -1,7 +1,7 @@
 """Joint twists with acceleration.
 
 Generated from derive/effects/inertial_deflection.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both de6f4bf559e4cbab; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both c4693f136fc471fe; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): inertia_torque;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -14,6 +14,7 @@ TITLE = "joint twists with acceleration"
 ADVICE = "Let the machine settle before it is measured or grips, or accelerate less. The transmission gives way to inertia."
 PER_LIMB = True
 ACTS_ON = "limb"
+OVER_ROWS = ("value", "jacobian", )  # functions over rows, which Numba compiles, too
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("inertia_torque", )
 TARGETS = ("joint", )

@@ -1,7 +1,7 @@
 """The instrument drifts.
 
 Generated from derive/effects/instrument_drift.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 9a06f65314427a18; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 2298d5345b10784e; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): time;
 coefficients c (M or 1, 3); constants, one number each. Units mm, rad, N, s, K.
@@ -14,6 +14,7 @@ TITLE = "the instrument drifts"
 ADVICE = "The machine is not at fault. Let the instrument warm up, fix its stand, and measure a fixed point again and again."
 PER_LIMB = False
 ACTS_ON = "reading"
+OVER_ROWS = ("value", "jacobian", )  # functions over rows, which Numba compiles, too
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("time", )
 TARGETS = ("reading.x", "reading.y", "reading.z", )

@@ -1,7 +1,7 @@
 """A measured point is not where it is said to be.
 
 Generated from derive/effects/instrument_offset.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 862dcaa4862b3765; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both eb24aa2d7988b12d; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 0): nothing;
 coefficients c (M or 1, 3); constants, one number each. Units mm, rad, N, s, K.
@@ -14,6 +14,7 @@ TITLE = "a measured point is not where it is said to be"
 ADVICE = "The machine is not at fault. Measure again where this reflector or probe sits on the platform, and correct tool_x_mm ... in the recording."
 PER_LIMB = False
 ACTS_ON = "point"
+OVER_ROWS = ("value", "jacobian", )  # functions over rows, which Numba compiles, too
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ()
 TARGETS = ("tool.x", "tool.y", "tool.z", )

@@ -1,7 +1,7 @@
 """The instrument's length scale is wrong.
 
 Generated from derive/effects/instrument_scale.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 0a26c50ab4b1a6d1; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 2b4232093a8fd674; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 4): y_x y_y y_z y_length;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -14,6 +14,7 @@ TITLE = "the instrument's length scale is wrong"
 ADVICE = "The machine is not at fault, unless it is warmer than its drawing. Hold the instrument against a length that is known."
 PER_LIMB = False
 ACTS_ON = "reading"
+OVER_ROWS = ("value", "jacobian", )  # functions over rows, which Numba compiles, too
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("y_x", "y_y", "y_z", "y_length", )
 TARGETS = ("reading.x", "reading.y", "reading.z", "length", )

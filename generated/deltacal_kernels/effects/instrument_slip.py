@@ -1,7 +1,7 @@
 """The instrument slips once.
 
 Generated from derive/effects/instrument_slip.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 39d7050d0dea34da; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both ee7546fd4f56c712; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): after;
 coefficients c (M or 1, 3); constants, one number each. Units mm, rad, N, s, K.
@@ -14,6 +14,7 @@ TITLE = "the instrument slips once"
 ADVICE = "The machine is not at fault. Fix the instrument's stand, measure fixed points before and after a session, and give what was read since a set-up of its own."
 PER_LIMB = False
 ACTS_ON = "reading"
+OVER_ROWS = ("value", "jacobian", )  # functions over rows, which Numba compiles, too
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("after", )
 TARGETS = ("reading.x", "reading.y", "reading.z", )

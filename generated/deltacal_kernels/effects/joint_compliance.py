@@ -1,7 +1,7 @@
 """Joint or gearbox twists under the load.
 
 Generated from derive/effects/joint_compliance.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both b29232a2c80fea51; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 154723a19f9599ed; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): torque;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -14,6 +14,7 @@ TITLE = "joint or gearbox twists under the load"
 ADVICE = "Check the gearbox and its fixing for softness. The deflection repeats with the load, so that commands by the payload undo it."
 PER_LIMB = True
 ACTS_ON = "limb"
+OVER_ROWS = ("value", "jacobian", )  # functions over rows, which Numba compiles, too
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("torque", )
 TARGETS = ("joint", )

@@ -1,7 +1,7 @@
 """The joint moves with another one.
 
 Generated from derive/effects/joint_coupling.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both ca25aade030a000b; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both ec78b6730a2113a0; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): q_other;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -14,6 +14,7 @@ TITLE = "the joint moves with another one"
 ADVICE = "Check the coupling of the two joints in the controller (a wrist's gears, a parallelogram's rod, a belt that runs past an axis), and correct its ratio there."
 PER_LIMB = True
 ACTS_ON = "limb"
+OVER_ROWS = ("value", "jacobian", )  # functions over rows, which Numba compiles, too
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("q_other", )
 TARGETS = ("joint", )

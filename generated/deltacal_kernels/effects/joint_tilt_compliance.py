@@ -1,7 +1,7 @@
 """Joint's axis tilts under the moment across it.
 
 Generated from derive/effects/joint_tilt_compliance.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both a201738a9baf4564; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 2badb1955a58b6ba; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): on_tilt_x on_tilt_y;
 coefficients c (M or 1, 2); constants, one number each. Units mm, rad, N, s, K.
@@ -14,6 +14,7 @@ TITLE = "joint's axis tilts under the moment across it"
 ADVICE = "Check the bearing of the joint for wear and its screws. The tilt repeats with the load, so that commands by the payload undo it."
 PER_LIMB = True
 ACTS_ON = "limb"
+OVER_ROWS = ("value", "jacobian", )  # functions over rows, which Numba compiles, too
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("on_tilt_x", "on_tilt_y", )
 TARGETS = ("limb.tilt_x", "limb.tilt_y", )

@@ -1,7 +1,7 @@
 """The position lags the joints.
 
 Generated from derive/effects/latency.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 5d2ca1efd73545f1; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both cf0de3fd8c15596f; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): qd qdd;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -14,6 +14,7 @@ TITLE = "the position lags the joints"
 ADVICE = "Joints and positions are not of the same instant. Synchronise the instrument's trigger with the controller, or measure at rest."
 PER_LIMB = False
 ACTS_ON = "limb"
+OVER_ROWS = ("value", "jacobian", )  # functions over rows, which Numba compiles, too
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("qd", "qdd", )
 TARGETS = ("joint", )

@@ -1,7 +1,7 @@
 """Link bends across its line under what it carries.
 
 Generated from derive/effects/link_bending.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both ee3d889e8a85de30; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 4e1d9069fdf230bd; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): on_bend_v on_bend_w;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -14,6 +14,7 @@ TITLE = "link bends across its line under what it carries"
 ADVICE = "Check the link and its flanges for cracks and loose screws. The bending repeats with the load, so that commands by the payload undo it."
 PER_LIMB = True
 ACTS_ON = "limb"
+OVER_ROWS = ("value", "jacobian", )  # functions over rows, which Numba compiles, too
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("on_bend_v", "on_bend_w", )
 TARGETS = ("limb.bend_v", "limb.bend_w", )

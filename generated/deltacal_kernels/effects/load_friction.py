@@ -1,7 +1,7 @@
 """Friction that grows with the load.
 
 Generated from derive/effects/load_friction.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 54abbc9fbe9e2f6b; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both f1b7a31014e68817; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): qd torque;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -14,6 +14,7 @@ TITLE = "friction that grows with the load"
 ADVICE = "Gears lose a part of what they carry. A larger part than last time is wear or want of lubrication."
 PER_LIMB = True
 ACTS_ON = "drive"
+OVER_ROWS = ("value", "jacobian", )  # functions over rows, which Numba compiles, too
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("qd", "torque", )
 TARGETS = ("torque", )

@@ -1,7 +1,7 @@
 """Rods, spacings or axes of a parallelogram differ.
 
 Generated from derive/effects/parallelogram_error.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both c14d15a6910959f3; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both a1815c19e20c87dd; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 0): nothing;
 coefficients c (M or 1, 6); constants, one number each. Units mm, rad, N, s, K.
@@ -14,6 +14,7 @@ TITLE = "rods, spacings or axes of a parallelogram differ"
 ADVICE = "Geometry, not physics: identify with the full model, which takes these errors into the commands."
 PER_LIMB = True
 ACTS_ON = "limb"
+OVER_ROWS = ("value", "jacobian", )  # functions over rows, which Numba compiles, too
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ()
 TARGETS = ("limb.rod_difference", "limb.spacing_difference", "limb.hand_axis_u", "limb.hand_axis_v", "limb.elbow_axis_u", "limb.elbow_axis_v", )

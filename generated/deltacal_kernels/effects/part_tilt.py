@@ -1,7 +1,7 @@
 """The joint's axis tilts as a recorded column says.
 
 Generated from derive/effects/part_tilt.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 4107e196d981518c; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 46f920d4731c621d; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): recorded;
 coefficients c (M or 1, 2); constants, one number each. Units mm, rad, N, s, K.
@@ -14,6 +14,7 @@ TITLE = "the joint's axis tilts as a recorded column says"
 ADVICE = "Look for what gives way there: a foot, a floor, a foundation, a clamp. Until it is fixed command by the column."
 PER_LIMB = True
 ACTS_ON = "limb"
+OVER_ROWS = ("value", "jacobian", )  # functions over rows, which Numba compiles, too
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("recorded", )
 TARGETS = ("limb.tilt_x", "limb.tilt_y", )

@@ -1,7 +1,7 @@
 """Joint twists under the payload.
 
 Generated from derive/effects/payload_deflection.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 02185dd53bc9e39e; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 6bd78fc54bfea7d5; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): payload_torque;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -14,6 +14,7 @@ TITLE = "joint twists under the payload"
 ADVICE = "Check the gearbox and its fixing for softness. The deflection repeats with the payload, so that commands by it undo it."
 PER_LIMB = True
 ACTS_ON = "limb"
+OVER_ROWS = ("value", "jacobian", )  # functions over rows, which Numba compiles, too
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("payload_torque", )
 TARGETS = ("joint", )

@@ -1,7 +1,7 @@
 """Dry friction that builds up over a way.
 
 Generated from derive/effects/presliding_friction.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both f5e925dfb7b14c76; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both c55ac4f20916dc0b; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): qd;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -14,6 +14,7 @@ TITLE = "dry friction that builds up over a way"
 ADVICE = "The joint gives before it slides: after each reversal friction comes late. Let the feed-forward follow the way since the reversal, and approach from one side where the last of it counts."
 PER_LIMB = True
 ACTS_ON = "drive"
+OVER_ROWS = ("value", "jacobian", "by_memory", "start", "step", )  # functions over rows, which Numba compiles, too
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("qd", )
 TARGETS = ("torque", )

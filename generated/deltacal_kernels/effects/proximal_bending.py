@@ -1,7 +1,7 @@
 """Arm bends under the rods' pull.
 
 Generated from derive/effects/proximal_bending.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both dc9472f4aed3cfc1; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both d2c4606f5c145f6f; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): pull_v pull_w;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -14,6 +14,7 @@ TITLE = "arm bends under the rods' pull"
 ADVICE = "Check the arm and its clamping for cracks and loose screws. The bending repeats with the load, so that commands by the payload undo it."
 PER_LIMB = True
 ACTS_ON = "limb"
+OVER_ROWS = ("value", "jacobian", )  # functions over rows, which Numba compiles, too
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("pull_v", "pull_w", )
 TARGETS = ("limb.tip_v", "limb.tip_w", )

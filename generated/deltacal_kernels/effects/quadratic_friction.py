@@ -1,7 +1,7 @@
 """Friction by the square of the speed.
 
 Generated from derive/effects/quadratic_friction.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 53c3f00b108b907f; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 115dfdb79c4cdc3c; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): qd;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -14,6 +14,7 @@ TITLE = "friction by the square of the speed"
 ADVICE = "Churned oil or air gives more of it than in proportion, grease that thins less (a negative one). Take it along in the feed-forward torque."
 PER_LIMB = True
 ACTS_ON = "drive"
+OVER_ROWS = ("value", "jacobian", )  # functions over rows, which Numba compiles, too
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("qd", )
 TARGETS = ("torque", )

@@ -1,7 +1,7 @@
 """Inertia of the drive.
 
 Generated from derive/effects/rotor_inertia.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 7b3e1d411f9ac22a; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both ebb51a29755a64aa; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): qdd;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -14,6 +14,7 @@ TITLE = "inertia of the drive"
 ADVICE = "Write it into the robot file (rotor_inertia): the square of the gear ratio makes a small rotor heavy."
 PER_LIMB = True
 ACTS_ON = "drive"
+OVER_ROWS = ("value", "jacobian", )  # functions over rows, which Numba compiles, too
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("qdd", )
 TARGETS = ("torque", )

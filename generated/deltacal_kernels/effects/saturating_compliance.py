@@ -1,7 +1,7 @@
 """Joint gives way under the load, less and less.
 
 Generated from derive/effects/saturating_compliance.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 05350224e80cef96; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 0a0c6e182be04d8f; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): torque;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -14,6 +14,7 @@ TITLE = "joint gives way under the load, less and less"
 ADVICE = "Look for play under preload, a soft coupling with a stop, or a flexspline that hardens. The deflection repeats with the load, so that commands by the payload undo it."
 PER_LIMB = True
 ACTS_ON = "limb"
+OVER_ROWS = ("value", "jacobian", )  # functions over rows, which Numba compiles, too
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("torque", )
 TARGETS = ("joint", )

@@ -1,7 +1,7 @@
 """More friction near rest than in motion.
 
 Generated from derive/effects/stribeck_friction.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both b7621125aebc3948; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 6b56a3fa31a214cd; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): qd;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -14,6 +14,7 @@ TITLE = "more friction near rest than in motion"
 ADVICE = "A joint that sticks: look at the lubrication, and avoid creeping moves."
 PER_LIMB = True
 ACTS_ON = "drive"
+OVER_ROWS = ("value", "jacobian", )  # functions over rows, which Numba compiles, too
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("qd", )
 TARGETS = ("torque", )

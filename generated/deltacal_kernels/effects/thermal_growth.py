@@ -1,7 +1,7 @@
 """Links and base grow with temperature.
 
 Generated from derive/effects/thermal_growth.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both c7921676486d50c3; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 547153078e04719d; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 4): warming L l b;
 coefficients c (M or 1, 3); constants, one number each. Units mm, rad, N, s, K.
@@ -14,6 +14,7 @@ TITLE = "links and base grow with temperature"
 ADVICE = "Measure and work at one temperature, or command by the temperature of the links."
 PER_LIMB = False
 ACTS_ON = "limb"
+OVER_ROWS = ("value", "jacobian", )  # functions over rows, which Numba compiles, too
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("warming", "L", "l", "b", )
 TARGETS = ("limb.arm", "limb.rod", "limb.outwards", )

@@ -1,7 +1,7 @@
 """Joint zero moves with temperature.
 
 Generated from derive/effects/thermal_zero.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 875a12d59e602d23; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both f1fef9788c6913d1; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): warming;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -14,6 +14,7 @@ TITLE = "joint zero moves with temperature"
 ADVICE = "Look for what moves the encoder or its coupling with heat. Until then command by the temperature, or home again when it has changed."
 PER_LIMB = True
 ACTS_ON = "limb"
+OVER_ROWS = ("value", "jacobian", )  # functions over rows, which Numba compiles, too
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("warming", )
 TARGETS = ("joint", )

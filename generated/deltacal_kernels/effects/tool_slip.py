@@ -1,7 +1,7 @@
 """The measured point slips on the platform once.
 
 Generated from derive/effects/tool_slip.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both ddad5736d23805c4; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 9bfaedcac153f55b; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): after;
 coefficients c (M or 1, 3); constants, one number each. Units mm, rad, N, s, K.
@@ -14,6 +14,7 @@ TITLE = "the measured point slips on the platform once"
 ADVICE = "The machine is not at fault. Look at how the probe, reflector or tool is clamped, fasten it, and measure again what was read since; where it is the tool that slipped, calibrate its point anew."
 PER_LIMB = False
 ACTS_ON = "point"
+OVER_ROWS = ("value", "jacobian", )  # functions over rows, which Numba compiles, too
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("after", )
 TARGETS = ("tool.x", "tool.y", "tool.z", )

@@ -1,7 +1,7 @@
 """Constant torque.
 
 Generated from derive/effects/torque_offset.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 4b90322b1d4eb4ff; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 28854e710ded8bc0; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 0): nothing;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -14,6 +14,7 @@ TITLE = "constant torque"
 ADVICE = "A current sensor's zero, a hanging cable or a spring. Zero the sensor with the drive off."
 PER_LIMB = True
 ACTS_ON = "drive"
+OVER_ROWS = ("value", "jacobian", )  # functions over rows, which Numba compiles, too
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ()
 TARGETS = ("torque", )

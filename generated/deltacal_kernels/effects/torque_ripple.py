@@ -1,7 +1,7 @@
 """Torque that repeats with the turn of the joint.
 
 Generated from derive/effects/torque_ripple.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both c57d48c765b6f108; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 6d9b08de66b6f689; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): turn;
 coefficients c (M or 1, 2); constants, one number each. Units mm, rad, N, s, K.
@@ -14,6 +14,7 @@ TITLE = "torque that repeats with the turn of the joint"
 ADVICE = "Cogging of the motor or a tooth of the gear: the order says which part turns so often. It repeats exactly, so that the feed-forward torque takes it along."
 PER_LIMB = True
 ACTS_ON = "drive"
+OVER_ROWS = ("value", "jacobian", )  # functions over rows, which Numba compiles, too
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("turn", )
 TARGETS = ("torque", )

@@ -1,7 +1,7 @@
 """Periodic error of the transmission.
 
 Generated from derive/effects/transmission_eccentricity.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 39a28a7deba569f3; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both bdb35423f400ff9c; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): turn;
 coefficients c (M or 1, 2); constants, one number each. Units mm, rad, N, s, K.
@@ -14,6 +14,7 @@ TITLE = "periodic error of the transmission"
 ADVICE = "Check the gear or encoder disc that turns so often for eccentricity. The error repeats exactly, so that the corrected commands undo it."
 PER_LIMB = True
 ACTS_ON = "limb"
+OVER_ROWS = ("value", "jacobian", )  # functions over rows, which Numba compiles, too
 PERIODIC = True  # a wave of the joint's turn, cosine and sine
 STATE = ("turn", )
 TARGETS = ("joint", )

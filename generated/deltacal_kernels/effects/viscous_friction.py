@@ -1,7 +1,7 @@
 """Friction that grows with the speed.
 
 Generated from derive/effects/viscous_friction.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 5853fe2daa2e57c9; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 05095af6cd16d861; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): qd;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -14,6 +14,7 @@ TITLE = "friction that grows with the speed"
 ADVICE = "Every gear has some; cold or wrong grease has more. Warm the machine up, or take it along in the feed-forward torque."
 PER_LIMB = True
 ACTS_ON = "drive"
+OVER_ROWS = ("value", "jacobian", )  # functions over rows, which Numba compiles, too
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("qd", )
 TARGETS = ("torque", )

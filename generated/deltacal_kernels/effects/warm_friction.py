@@ -1,7 +1,7 @@
 """Friction that changes with the temperature.
 
 Generated from derive/effects/warm_friction.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 491d66e8b364c575; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 58e21e218d273241; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): qd warming;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -14,6 +14,7 @@ TITLE = "friction that changes with the temperature"
 ADVICE = "Grease thins while the machine warms up. Warm it up before it works, or take the temperature along in the feed-forward torque."
 PER_LIMB = True
 ACTS_ON = "drive"
+OVER_ROWS = ("value", "jacobian", )  # functions over rows, which Numba compiles, too
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("qd", "warming", )
 TARGETS = ("torque", )

@@ -1,7 +1,7 @@
 """The joint's zero creeps while the machine warms up.
 
 Generated from derive/effects/warm_up.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 6cb7f925fc079743; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 78b2eea1d6b8032f; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): passed;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -14,6 +14,7 @@ TITLE = "the joint's zero creeps while the machine warms up"
 ADVICE = "Let the machine warm up for some time constants before it is measured or works, and home it then."
 PER_LIMB = True
 ACTS_ON = "limb"
+OVER_ROWS = ("value", "jacobian", )  # functions over rows, which Numba compiles, too
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("passed", )
 TARGETS = ("joint", )

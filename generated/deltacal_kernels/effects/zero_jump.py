@@ -1,7 +1,7 @@
 """Joint zero jumps once.
 
 Generated from derive/effects/zero_jump.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 70723bff8b357084; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 11ab1c9181d4931f; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): after;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -14,6 +14,7 @@ TITLE = "joint zero jumps once"
 ADVICE = "Look for a coupling that slipped or a collision at that time, tighten it, and home the joint. What was taught before is off by the jump."
 PER_LIMB = True
 ACTS_ON = "limb"
+OVER_ROWS = ("value", "jacobian", )  # functions over rows, which Numba compiles, too
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("after", )
 TARGETS = ("joint", )

@@ -1,7 +1,7 @@
 """Image of a point of a printed board [px].
 
 Generated from derive/measurements/board_image.py by "deltacal kernels". Do not edit.
-Template templates/measurement.py.jinja; sha256 of both cca745707eb2a9cb; SymPy 1.14.0.
+Template templates/measurement.py.jinja; sha256 of both e11dd2193612476b; SymPy 1.14.0.
 
 Plain NumPy, vectorised over the readings: poses x (N, 12), position and rotation matrix, `given` (N, 37) the
 instrument's state: C11 C12 C13 C21 C22 C23 C31 C32 C33 hx hy hz B11 B12 B13 B21 B22 B23 B31 B32 B33 gx gy gz scale fx fy cx cy k1 k2 p1 p2 k3 ride.
@@ -14,6 +14,7 @@ import numpy as np
 MEANING = "image of a point of a printed board [px]"
 COLUMNS = ("u_px", "v_px",)
 TARGETS = {}
+OVER_ROWS = ("reading", "by_platform", "by_unknown", "stepped", )  # functions over rows, which Numba compiles, too
 PLATFORMS = 1
 KNOWN = ("board_x_mm", "board_y_mm",)
 UNKNOWN = (

@@ -1,7 +1,7 @@
 """Distance between the reference points of two poses [mm].
 
 Generated from derive/measurements/distance.py by "deltacal kernels". Do not edit.
-Template templates/measurement.py.jinja; sha256 of both 7a61cfe40440156b; SymPy 1.14.0.
+Template templates/measurement.py.jinja; sha256 of both 0c44444ccfbeb06c; SymPy 1.14.0.
 
 Plain NumPy, vectorised over the readings: poses x (N, 12), position and rotation matrix, `given` (N, 0) the
 instrument's state: none.
@@ -13,6 +13,7 @@ import numpy as np
 MEANING = "distance between the reference points of two poses [mm]"
 COLUMNS = ("distance_mm",)
 TARGETS = {"length": 0}
+OVER_ROWS = ("reading", "by_platform", )  # functions over rows, which Numba compiles, too
 PLATFORMS = 2
 UNKNOWN = (
 )

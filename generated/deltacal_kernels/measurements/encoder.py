@@ -1,7 +1,7 @@
 """Joint as a second encoder on it counts [mm, rad].
 
 Generated from derive/measurements/encoder.py by "deltacal kernels". Do not edit.
-Template templates/measurement.py.jinja; sha256 of both aed8284d00af08e5; SymPy 1.14.0.
+Template templates/measurement.py.jinja; sha256 of both afa73e5f0603de03; SymPy 1.14.0.
 
 Plain NumPy, vectorised over the readings: joints x (N, 1), `given` (N, 3) the
 instrument's state: sign zero turns.
@@ -13,6 +13,7 @@ import numpy as np
 MEANING = "joint as a second encoder on it counts [mm, rad]"
 COLUMNS = ("enc{i}_{unit}",)
 TARGETS = {}
+OVER_ROWS = ("reading", "by_platform", "by_unknown", "stepped", )  # functions over rows, which Numba compiles, too
 PLATFORMS = 1
 JOINT = True
 UNKNOWN = (

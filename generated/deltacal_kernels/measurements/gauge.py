@@ -1,7 +1,7 @@
 """Length from a point of the base to the reference point [mm].
 
 Generated from derive/measurements/gauge.py by "deltacal kernels". Do not edit.
-Template templates/measurement.py.jinja; sha256 of both a87991e44c08c961; SymPy 1.14.0.
+Template templates/measurement.py.jinja; sha256 of both 798efcafe09d2c56; SymPy 1.14.0.
 
 Plain NumPy, vectorised over the readings: poses x (N, 12), position and rotation matrix, `given` (N, 4) the
 instrument's state: gx gy gz zero.
@@ -13,6 +13,7 @@ import numpy as np
 MEANING = "length from a point of the base to the reference point [mm]"
 COLUMNS = ("gauge_mm",)
 TARGETS = {"length": 0}
+OVER_ROWS = ("reading", "by_platform", "by_unknown", "stepped", )  # functions over rows, which Numba compiles, too
 PLATFORMS = 1
 UNKNOWN = (
     ("mx", "mm", 1.0, "error of the base point in {O}"),

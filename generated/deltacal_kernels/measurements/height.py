@@ -1,7 +1,7 @@
 """Height of the reference point above the bed [mm].
 
 Generated from derive/measurements/height.py by "deltacal kernels". Do not edit.
-Template templates/measurement.py.jinja; sha256 of both a33708a18c98cf9e; SymPy 1.14.0.
+Template templates/measurement.py.jinja; sha256 of both ab5e1869a644332c; SymPy 1.14.0.
 
 Plain NumPy, vectorised over the readings: poses x (N, 12), position and rotation matrix, `given` (N, 0) the
 instrument's state: none.
@@ -13,6 +13,7 @@ import numpy as np
 MEANING = "height of the reference point above the bed [mm]"
 COLUMNS = ("height_mm",)
 TARGETS = {"height": 0}
+OVER_ROWS = ("reading", "by_platform", )  # functions over rows, which Numba compiles, too
 PLATFORMS = 1
 UNKNOWN = (
 )

@@ -1,7 +1,7 @@
 """Position [mm] and rotation [rad] of a body on the platform in the instrument's frame.
 
 Generated from derive/measurements/pose.py by "deltacal kernels". Do not edit.
-Template templates/measurement.py.jinja; sha256 of both 2b67837dbc469228; SymPy 1.14.0.
+Template templates/measurement.py.jinja; sha256 of both 9190277c00850dd1; SymPy 1.14.0.
 
 Plain NumPy, vectorised over the readings: poses x (N, 12), position and rotation matrix, `given` (N, 21) the
 instrument's state: F11 F12 F13 F21 F22 F23 F31 F32 F33 fx fy fz D11 D12 D13 D21 D22 D23 D31 D32 D33.
@@ -13,6 +13,7 @@ import numpy as np
 MEANING = "position [mm] and rotation [rad] of a body on the platform in the instrument's frame"
 COLUMNS = ("x_mm", "y_mm", "z_mm", "rx_deg", "ry_deg", "rz_deg",)
 TARGETS = {"reading.x": 0, "reading.y": 1, "reading.z": 2}
+OVER_ROWS = ("reading", "rotation", "by_platform", "by_unknown", "stepped", )  # functions over rows, which Numba compiles, too
 PLATFORMS = 1
 UNKNOWN = (
     ("wx", "rad", 0.3, "turn of {O} about the instrument's axes"),

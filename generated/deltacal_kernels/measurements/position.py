@@ -1,7 +1,7 @@
 """Position of the reference point in the instrument's frame [mm].
 
 Generated from derive/measurements/position.py by "deltacal kernels". Do not edit.
-Template templates/measurement.py.jinja; sha256 of both 61682277e75c46af; SymPy 1.14.0.
+Template templates/measurement.py.jinja; sha256 of both d0c451bde062153a; SymPy 1.14.0.
 
 Plain NumPy, vectorised over the readings: poses x (N, 12), position and rotation matrix, `given` (N, 12) the
 instrument's state: F11 F12 F13 F21 F22 F23 F31 F32 F33 fx fy fz.
@@ -13,6 +13,7 @@ import numpy as np
 MEANING = "position of the reference point in the instrument's frame [mm]"
 COLUMNS = ("x_mm", "y_mm", "z_mm",)
 TARGETS = {"reading.x": 0, "reading.y": 1, "reading.z": 2}
+OVER_ROWS = ("reading", "by_platform", "by_unknown", "stepped", )  # functions over rows, which Numba compiles, too
 PLATFORMS = 1
 UNKNOWN = (
     ("wx", "rad", 0.3, "turn of {O} about the instrument's axes"),

@@ -1,7 +1,7 @@
 """Extremes of a ball's image [px].
 
 Generated from derive/measurements/sphere.py by "deltacal kernels". Do not edit.
-Template templates/measurement.py.jinja; sha256 of both 3d3705924fd32a11; SymPy 1.14.0.
+Template templates/measurement.py.jinja; sha256 of both 22ce0ac11b95f107; SymPy 1.14.0.
 
 Plain NumPy, vectorised over the readings: poses x (N, 12), position and rotation matrix, `given` (N, 20) the
 instrument's state: F11 F12 F13 F21 F22 F23 F31 F32 F33 gx gy gz fu fv u0 v0 k1 radius order_u order_v.
@@ -13,6 +13,7 @@ import numpy as np
 MEANING = "extremes of a ball's image [px]"
 COLUMNS = ("u1_px", "u2_px", "v1_px", "v2_px",)
 TARGETS = {}
+OVER_ROWS = ("reading", "by_platform", "by_unknown", "stepped", )  # functions over rows, which Numba compiles, too
 PLATFORMS = 1
 UNKNOWN = (
     ("wx", "rad", 0.03, "turn of the camera about its own axes"),

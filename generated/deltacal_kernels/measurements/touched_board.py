@@ -1,7 +1,7 @@
 """Point of a printed board that the reference point touches, in the print's coordinates [mm].
 
 Generated from derive/measurements/touched_board.py by "deltacal kernels". Do not edit.
-Template templates/measurement.py.jinja; sha256 of both de961ead081b65db; SymPy 1.14.0.
+Template templates/measurement.py.jinja; sha256 of both 3728b99c7ae237e5; SymPy 1.14.0.
 
 Plain NumPy, vectorised over the readings: poses x (N, 12), position and rotation matrix, `given` (N, 13) the
 instrument's state: F11 F12 F13 F21 F22 F23 F31 F32 F33 fx fy fz scale.
@@ -13,6 +13,7 @@ import numpy as np
 MEANING = "point of a printed board that the reference point touches, in the print's coordinates [mm]"
 COLUMNS = ("board_x_mm", "board_y_mm", "board_z_mm",)
 TARGETS = {"reading.x": 0, "reading.y": 1, "reading.z": 2}
+OVER_ROWS = ("reading", "by_platform", "by_unknown", "stepped", )  # functions over rows, which Numba compiles, too
 PLATFORMS = 1
 UNKNOWN = (
     ("wx", "rad", 0.3, "turn of {O} about the instrument's axes"),

@@ -1,21 +1,23 @@
 """Generalised loads of `robotennis`: RoboTennis, three arms with rods as single links, incremental home.
 
 Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/statics.py.jinja; sha256 of both 5f005f3bc2f5604b; SymPy 1.14.0.
+Template templates/mechanism/statics.py.jinja; sha256 of both b3dd5d8749d724f4; SymPy 1.14.0.
 
 Plain NumPy over all poses at once. masses: proximal proximal_com distal_rod platform; payload (N,) in kg at the
-reference point. Every weight has its own acceleration field [m/s^2]: gravity for all, or minus its own acceleration.
-Loads in N (along lengths) and N mm (along angles).
+reference point. Every weight has its own acceleration field [m/s^2], fields (N, 3 weights): gravity for all, or minus
+its own acceleration. Loads in N (along lengths) and N mm (along angles): on the joint, of a limb; on the
+3 coordinates of the platform; the moment about {O}.
 """
 
 import numpy as np
 
 LIMB_WEIGHTS = 3
 PLATFORM_WEIGHTS = 2
+OVER_ROWS = ("limb", "limb_points", "platform", "platform_points", )  # functions over rows, which Numba compiles, too
 
 
-def _limb(x, q, tool, p, masses, fields):
-    """Generalised loads of the weights of one limb and their moment: (N, 7)."""
+def limb(x, q, tool, p, masses, fields):
+    """Return generalised loads of the weights of one limb and their moment: (N, 7)."""
     px = x[:, 0]
     py = x[:, 1]
     pz = x[:, 2]
@@ -98,8 +100,8 @@ def _limb(x, q, tool, p, masses, fields):
     return out
 
 
-def _limb_points(x, q, tool, p, masses):
-    """Where the weights of one limb are: (N, 9)."""
+def limb_points(x, q, tool, p, masses):
+    """Return where the weights of one limb are: (N, 9)."""
     px = x[:, 0]
     py = x[:, 1]
     pz = x[:, 2]
@@ -158,8 +160,8 @@ def _limb_points(x, q, tool, p, masses):
     return out
 
 
-def _platform(x, tool, masses, payload, fields):
-    """Generalised loads of the weights of one platform and their moment: (N, 6)."""
+def platform(x, tool, masses, payload, fields):
+    """Return generalised loads of the weights of one platform and their moment: (N, 6)."""
     px = x[:, 0]
     py = x[:, 1]
     pz = x[:, 2]
@@ -192,8 +194,8 @@ def _platform(x, tool, masses, payload, fields):
     return out
 
 
-def _platform_points(x, tool, masses, payload):
-    """Where the weights of one platform are: (N, 6)."""
+def platform_points(x, tool, masses, payload):
+    """Return where the weights of one platform are: (N, 6)."""
     px = x[:, 0]
     py = x[:, 1]
     pz = x[:, 2]
@@ -211,24 +213,3 @@ def _platform_points(x, tool, masses, payload):
     out[:, 4] = py
     out[:, 5] = pz
     return out
-
-
-def points(x, q, tool, p, masses, payload):
-    """Return where the weights are, (N, 11, 3): limb by limb, then the platform's."""
-    parts = [_limb_points(x, q[:, i], tool, p[:, i], masses) for i in range(3)]
-    return np.hstack([*parts, _platform_points(x, tool, masses, payload)]).reshape(len(x), -1, 3)
-
-
-def loads(x, q, tool, p, masses, payload, fields):
-    """Return generalised loads W_q (N, 3) on the joints, W_x (N, 3) on the platform, and the moment about {O} (N, 3).
-
-    fields (N, weights, 3): in the order of `points`.
-    """
-    flat = fields.reshape(len(x), -1)
-    W_q = np.zeros((len(x), 3))
-    rest = _platform(x, tool, masses, payload, flat[:, 27:])
-    for i in range(3):
-        own = _limb(x, q[:, i], tool, p[:, i], masses, flat[:, 9 * i :])
-        W_q[:, i] = own[:, 0]
-        rest += own[:, 1:]
-    return W_q, rest[:, :3], rest[:, 3:]

@@ -1,21 +1,23 @@
 """Generalised loads of `simplified_parallelogram`: Planar parallelogram, simplified: one virtual rod.
 
 Generated from derive/mechanisms/simplified_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/statics.py.jinja; sha256 of both e2b99d8f71ab8e22; SymPy 1.14.0.
+Template templates/mechanism/statics.py.jinja; sha256 of both a1a519b044577847; SymPy 1.14.0.
 
 Plain NumPy over all poses at once. masses: proximal proximal_com distal_rod platform; payload (N,) in kg at the
-reference point. Every weight has its own acceleration field [m/s^2]: gravity for all, or minus its own acceleration.
-Loads in N (along lengths) and N mm (along angles).
+reference point. Every weight has its own acceleration field [m/s^2], fields (N, 3 weights): gravity for all, or minus
+its own acceleration. Loads in N (along lengths) and N mm (along angles): on the joint, of a limb; on the
+3 coordinates of the platform; the moment about {O}.
 """
 
 import numpy as np
 
 LIMB_WEIGHTS = 3
 PLATFORM_WEIGHTS = 2
+OVER_ROWS = ("limb", "limb_points", "platform", "platform_points", )  # functions over rows, which Numba compiles, too
 
 
-def _limb(x, q, tool, p, masses, fields):
-    """Generalised loads of the weights of one limb and their moment: (N, 7)."""
+def limb(x, q, tool, p, masses, fields):
+    """Return generalised loads of the weights of one limb and their moment: (N, 7)."""
     proximal = masses[0]
     proximal_com = masses[1]
     distal_rod = masses[2]
@@ -56,8 +58,8 @@ def _limb(x, q, tool, p, masses, fields):
     return out
 
 
-def _limb_points(x, q, tool, p, masses):
-    """Where the weights of one limb are: (N, 9)."""
+def limb_points(x, q, tool, p, masses):
+    """Return where the weights of one limb are: (N, 9)."""
     proximal_com = masses[1]
     a1x = p[:, 0]
     b1x = p[:, 3]
@@ -81,8 +83,8 @@ def _limb_points(x, q, tool, p, masses):
     return out
 
 
-def _platform(x, tool, masses, payload, fields):
-    """Generalised loads of the weights of one platform and their moment: (N, 6)."""
+def platform(x, tool, masses, payload, fields):
+    """Return generalised loads of the weights of one platform and their moment: (N, 6)."""
     px = x[:, 0]
     py = x[:, 1]
     tx = tool[:, 0]
@@ -110,8 +112,8 @@ def _platform(x, tool, masses, payload, fields):
     return out
 
 
-def _platform_points(x, tool, masses, payload):
-    """Where the weights of one platform are: (N, 6)."""
+def platform_points(x, tool, masses, payload):
+    """Return where the weights of one platform are: (N, 6)."""
     px = x[:, 0]
     py = x[:, 1]
     tx = tool[:, 0]
@@ -124,24 +126,3 @@ def _platform_points(x, tool, masses, payload):
     out[:, 3] = px
     out[:, 4] = py
     return out
-
-
-def points(x, q, tool, p, masses, payload):
-    """Return where the weights are, (N, 5, 3): limb by limb, then the platform's."""
-    parts = [_limb_points(x, q[:, i], tool, p[:, i], masses) for i in range(1)]
-    return np.hstack([*parts, _platform_points(x, tool, masses, payload)]).reshape(len(x), -1, 3)
-
-
-def loads(x, q, tool, p, masses, payload, fields):
-    """Return generalised loads W_q (N, 1) on the joints, W_x (N, 3) on the platform, and the moment about {O} (N, 3).
-
-    fields (N, weights, 3): in the order of `points`.
-    """
-    flat = fields.reshape(len(x), -1)
-    W_q = np.zeros((len(x), 1))
-    rest = _platform(x, tool, masses, payload, flat[:, 9:])
-    for i in range(1):
-        own = _limb(x, q[:, i], tool, p[:, i], masses, flat[:, 9 * i :])
-        W_q[:, i] = own[:, 0]
-        rest += own[:, 1:]
-    return W_q, rest[:, :3], rest[:, 3:]

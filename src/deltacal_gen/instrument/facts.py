@@ -5,15 +5,14 @@ All of it stands in the generated module of its formulas, or is said by the kind
 
 from __future__ import annotations
 
-import importlib
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from types import ModuleType
 from typing import ClassVar
 
 import numpy as np
 
+from deltacal_gen.machine.backend import RowFunctions, row_functions
 from deltacal_gen.machine.registry import Array, Machine
 from deltacal_gen.machine.values import Measurement, Recording
 
@@ -115,9 +114,9 @@ class Facts:
     # ------------------------------------------------------------------------------------------------ as it is derived
 
     @property
-    def kernels(self) -> ModuleType:
+    def kernels(self) -> RowFunctions:
         """The generated module."""
-        return importlib.import_module(f"deltacal_kernels.measurements.{self.formulas or self.name}")
+        return row_functions(f"measurements.{self.formulas or self.name}")
 
     @property
     def meaning(self) -> str:

@@ -7,12 +7,12 @@ stand. Camera frame: z along the optical axis, x and y along u and v, origin at 
 
 from __future__ import annotations
 
-import importlib
-from types import ModuleType
 from typing import TYPE_CHECKING
 
 import numpy as np
 from deltacal_kernels import images
+
+from deltacal_gen.machine.backend import RowFunctions, row_functions
 
 if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Array
@@ -23,8 +23,8 @@ _STEPS = 20
 _SETTLED = 1e-12  # of the distance: a step below is rounding
 
 
-def _kernels() -> ModuleType:
-    return importlib.import_module("deltacal_kernels.measurements.sphere")
+def _kernels() -> RowFunctions:
+    return row_functions("measurements.sphere")
 
 
 def _at_origin(n: int) -> Array:

@@ -7,12 +7,19 @@ before has a say in it.
 
 from __future__ import annotations
 
+import importlib
+import pkgutil
+import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from enum import Enum
-from functools import wraps
-from typing import Concatenate, ParamSpec, Protocol, TypeVar
+from functools import cache, cached_property, wraps
+from types import ModuleType
+from typing import Any, Concatenate, ParamSpec, Protocol, TypeVar, cast
+
+import deltacal_kernels
+import numpy as np
 
 # poses from which a work pays for loading Numba and the compiled kernels, half a second or ten where nothing has been
 # compiled yet: one call, a fit of all poses some fifty times, the search of a diagnosis (a hundred fits), and files
@@ -62,6 +69,69 @@ def working(work: str, poses: int) -> Iterator[None]:
     """Compute with the back end that a work of `PAYS_FROM` pays for, unless it is part of a larger one."""
     with using(_chosen.get() or Backend.of(work, poses)):
         yield
+
+
+class RowFunctions:
+    """A generated module, its functions over rows done by NumPy, or by Numba where one call pays for it.
+
+    The work that a call belongs to has no say: there are two hundred such functions, of which a diagnosis would load
+    most, and of a thousand rows NumPy makes microseconds. Everything else of the module is as it stands there.
+
+    Parameters
+    ----------
+    name : str
+        Of the module, below ``deltacal_kernels``.
+    """
+
+    def __init__(self, name: str) -> None:
+        self._where, _, self._stem = f"deltacal_kernels.{name}".rpartition(".")
+        self._plain = importlib.import_module(f"{self._where}.{self._stem}")
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_"):  # what Python asks of a copy before it has any
+            raise AttributeError(name)
+        found = getattr(self._plain, name)
+        if name in self._plain.OVER_ROWS:
+            found = self._by_rows(name, found)
+        vars(self)[name] = found
+        return found
+
+    def _by_rows(self, name: str, plain: Callable[..., np.ndarray]) -> Callable[..., np.ndarray]:
+        @wraps(plain)
+        def called(first: np.ndarray, *others: Any) -> np.ndarray:
+            if Backend.of("call", len(first)) is Backend.NUMPY:
+                return plain(first, *others)
+            return cast(np.ndarray, getattr(self._compiled, name)(*map(_numbers, (first, *others))))
+
+        return called
+
+    @cached_property
+    def _compiled(self) -> ModuleType:
+        return importlib.import_module(f"{self._where}.compiled.{self._stem}")
+
+
+@cache
+def row_functions(name: str) -> RowFunctions:
+    """Return a generated module of functions over rows, by its name below ``deltacal_kernels``."""
+    return RowFunctions(name)
+
+
+def compile_row_functions() -> Iterator[tuple[str, float]]:
+    """Compile all functions over rows ahead, those of no machine too; yield the name of each and its seconds."""
+    for module in pkgutil.walk_packages(deltacal_kernels.__path__, "deltacal_kernels."):
+        if ".compiled." in module.name:
+            found = importlib.import_module(module.name)
+            for name, dimensions in found.DIMENSIONS.items():
+                start = time.perf_counter()
+                getattr(found, name)(*(np.zeros((0,) * d) for d in dimensions))
+                yield f"{module.name}.{name}".removeprefix("deltacal_kernels."), time.perf_counter() - start
+
+
+def _numbers(values: Any) -> np.ndarray:
+    """Return numbers as compiled functions read them; a name among an effect's constants is none of them."""
+    if isinstance(values, tuple):
+        values = [np.nan if isinstance(value, str) else value for value in values]
+    return np.ascontiguousarray(values, dtype=float)
 
 
 class _Joints(Protocol):

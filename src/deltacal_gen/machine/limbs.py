@@ -17,6 +17,7 @@ import numpy as np
 
 from deltacal_gen.errors import UsageError
 from deltacal_gen.machine.answers import Loads, Sensitivity, filled, result
+from deltacal_gen.machine.backend import RowFunctions, row_functions
 from deltacal_gen.machine.machine import (
     COORDINATES,
     POSE,
@@ -215,8 +216,8 @@ class Limbs(Machine):
         return bool(self._statics.LIMB_WEIGHTS + self._statics.PLATFORM_WEIGHTS)
 
     @cached_property
-    def _statics(self) -> ModuleType:
-        return importlib.import_module(f"deltacal_kernels.{self.name}.statics")
+    def _statics(self) -> RowFunctions:
+        return row_functions(f"{self.name}.statics")
 
     def constants(self, rows: Array) -> Array:
         """Return what no joint and no target changes, as the C source reads it.
@@ -469,9 +470,7 @@ class Limbs(Machine):
         q, tool = self._poses(q, self.limbs, "joints"), self._tool(tool, len(x))
         _, J_x, J_q, J_p = self.jacobians(x, q, tool, rows)
         weights, payload = self._masses(masses), np.broadcast_to(np.asarray(payload, dtype=float), len(x))
-        count = self.limbs * self._statics.LIMB_WEIGHTS + self._statics.PLATFORM_WEIGHTS
-        every = np.broadcast_to(np.asarray(fields, dtype=float), (len(x), count, 3))
-        W_q, W_x, moment = self._statics.loads(self._own(x), q, tool, rows, weights, payload, every)
+        W_q, W_x, moment = self._exerted(self._own(x), q, tool, rows, weights, payload, fields)
         multipliers = -_solved(np.swapaxes(J_x, 1, 2), W_x)
         per_limb = multipliers.reshape(len(x), self.limbs, -1)
         J_limb = J_p.reshape(*per_limb.shape, -1)
@@ -491,8 +490,29 @@ class Limbs(Machine):
         self, x: Array, q: Array, tool: Array, rows: Array, masses: Mapping[str, float], *, out: Array | None = None
     ) -> Array:
         """Return where the weights are, (N, weights, 3) [mm], in the order of the fields of `loads`."""
+        kernels, own, weights = self._statics, self._own(x), self._masses(masses)
         tool, none = self._tool(tool, len(x)), np.zeros(len(x))
-        return filled(out, self._statics.points(self._own(x), q, tool, rows, self._masses(masses), none))
+        parts = [kernels.limb_points(own, q[:, i], tool, rows[:, i], weights) for i in range(self.limbs)]
+        points = np.hstack([*parts, kernels.platform_points(own, tool, weights, none)])
+        return filled(out, points.reshape(len(x), -1, 3))
+
+    def _exerted(
+        self, own: Array, q: Array, tool: Array, rows: Array, weights: Array, payload: Array, fields: Array
+    ) -> tuple[Array, Array, Array]:
+        """Return what weights exert, as if the platform hung on nothing.
+
+        On the joints (N, limbs), on the coordinates of the platform (N, n_x), and the moment about {O} (N, 3).
+        """
+        kernels, each, n_x = self._statics, 3 * self._statics.LIMB_WEIGHTS, own.shape[1]
+        count = self.limbs * each + 3 * kernels.PLATFORM_WEIGHTS
+        flat = np.broadcast_to(np.asarray(fields, dtype=float), (len(own), count // 3, 3)).reshape(len(own), count)
+        rest = kernels.platform(own, tool, weights, payload, flat[:, self.limbs * each :])
+        W_q = np.zeros((len(own), self.limbs))
+        for i in range(self.limbs):
+            of_limb = kernels.limb(own, q[:, i], tool, rows[:, i], weights, flat[:, each * i :])
+            W_q[:, i] = of_limb[:, 0]
+            rest += of_limb[:, 1:]
+        return W_q, rest[:, :n_x], rest[:, n_x:]
 
     def _masses(self, masses: Mapping[str, float]) -> Array:
         return np.array([masses.get(name, 0.0) for name, _ in self._tables.MASSES])

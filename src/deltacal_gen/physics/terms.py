@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import dataclasses
-import importlib
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
-from types import ModuleType
 from typing import Any
 
 import deltacal_kernels.effects
 import numpy as np
 
 from deltacal_gen import states
+from deltacal_gen.machine.backend import RowFunctions, row_functions
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.law import Law, is_law, load_law
 from deltacal_gen.results.parts import TermState
@@ -38,11 +37,11 @@ def drive_effect_names() -> tuple[str, ...]:
 
 
 @cache
-def load_effect(name: str) -> ModuleType | Law:
+def load_effect(name: str) -> RowFunctions | Law:
     """Return the generated module of an effect: its tables, `value` and `jacobian`; of a law, the same made of it."""
     if is_law(name):
         return load_law(name)
-    return importlib.import_module(f"deltacal_kernels.effects.{name}")
+    return row_functions(f"effects.{name}")
 
 
 class Partial:
@@ -51,7 +50,7 @@ class Partial:
     What no coefficient moves is not moved, and what is read for that alone is not read.
     """
 
-    def __init__(self, whole: ModuleType | Law, lacks: tuple[str, ...]) -> None:
+    def __init__(self, whole: RowFunctions | Law, lacks: tuple[str, ...]) -> None:
         self._whole = whole
         self._own = [c for c, (name, *_) in enumerate(whole.COEFFICIENTS) if name not in lacks]
         self.COEFFICIENTS = tuple(whole.COEFFICIENTS[c] for c in self._own)
@@ -88,7 +87,7 @@ class Interrupted:
     limb by limb, which counts in rows whose cells are blank. The session of a row comes last in the kernels' input.
     """
 
-    def __init__(self, whole: ModuleType | Law | Partial, gaps: tuple[int, ...]) -> None:
+    def __init__(self, whole: RowFunctions | Law | Partial, gaps: tuple[int, ...]) -> None:
         self._whole, self._gaps = whole, gaps
         own = whole.COEFFICIENTS
         unknown = ((f"{name}_in_{k}", unit, factor, UNKNOWN) for k in gaps for name, unit, factor, _ in own)
@@ -125,7 +124,7 @@ class Interrupted:
         return own
 
 
-Kernels = ModuleType | Law | Partial | Interrupted
+Kernels = RowFunctions | Law | Partial | Interrupted
 
 
 @cache

@@ -12,6 +12,7 @@ from pathlib import Path
 from deltacal_gen.app.commands.common import Progress, Source, check_output, silent
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.writing import write_files
+from deltacal_gen.machine.backend import compile_row_functions
 from deltacal_gen.machine.registry import load_mechanism, mechanism_names
 from deltacal_gen.results.registered import (
     ClaimEntry,
@@ -270,4 +271,7 @@ def warm(progress: Callable[[str, float], None] = lambda name, seconds: None) ->
         for kernel, seconds in load_mechanism(name).compile():
             spent[kernel] = seconds
             progress(kernel, seconds)
+    for kernel, seconds in compile_row_functions():
+        spent[kernel] = seconds
+        progress(kernel, seconds)
     return spent

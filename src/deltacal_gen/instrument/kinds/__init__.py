@@ -27,7 +27,7 @@ AND = " and "  # between the names of kinds that are read together
 def names() -> tuple[str, ...]:
     """Return the names of all kinds of measurement."""
     derived, own = (
-        {module.name for module in pkgutil.iter_modules(path)}
+        {module.name for module in pkgutil.iter_modules(path) if not module.ispkg}
         for path in (deltacal_kernels.measurements.__path__, __path__)
     )
     return tuple(sorted(derived | own))

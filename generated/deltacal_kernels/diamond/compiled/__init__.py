@@ -1,0 +1,1 @@
+"""Functions over rows for Numba, of what the package holds for NumPy."""

@@ -1,0 +1,65 @@
+"""A measured point is not where it is said to be, row by row for Numba.
+
+Generated from derive/effects/instrument_offset.py by "deltacal kernels". Do not edit.
+Template templates/rows.py.jinja; sha256 of both 9eaf22268e34683a; SymPy 1.14.0.
+
+Functions of the NumPy module of this name, to be called likewise but for defaults, on C-contiguous arrays. Each is a
+loop over rows; an array of one row counts for all of them.
+"""
+
+import math
+
+import numpy as np
+
+from deltacal_kernels.cache import kernel
+from deltacal_kernels.elementary import arcsine, arctangent, cosine, exponential, hyperbolic_tangent, larger, logarithm
+from deltacal_kernels.elementary import sine, smaller, tangent
+from deltacal_kernels.straight import straight
+
+# of the arrays that each takes
+DIMENSIONS = {"value": (2, 2, 1), "jacobian": (2, 2, 1)}
+
+fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
+
+
+@straight
+def _value(s, c, constants, s_every, c_every, out, many):
+    """0 operations a row."""
+    for lane in range(many):
+        offset_x = c[c_every * lane + 0]
+        offset_y = c[c_every * lane + 1]
+        offset_z = c[c_every * lane + 2]
+        out[3 * lane + 0] = offset_x
+        out[3 * lane + 1] = offset_y
+        out[3 * lane + 2] = offset_z
+
+
+@fast
+def value(s, c, constants):
+    """Return what the NumPy function of this name returns."""
+    many = len(s)
+    s_every = s.size // len(s) if len(s) > 1 else 0
+    c_every = c.size // len(c) if len(c) > 1 else 0
+    out = np.zeros((many, 3))
+    _value(s, c, constants, s_every, c_every, out, many)
+    return out.reshape(many, 3)
+
+
+@straight
+def _jacobian(s, c, constants, s_every, c_every, out, many):
+    """0 operations a row."""
+    for lane in range(many):
+        out[9 * lane + 0] = 1
+        out[9 * lane + 4] = 1
+        out[9 * lane + 8] = 1
+
+
+@fast
+def jacobian(s, c, constants):
+    """Return what the NumPy function of this name returns."""
+    many = len(s)
+    s_every = s.size // len(s) if len(s) > 1 else 0
+    c_every = c.size // len(c) if len(c) > 1 else 0
+    out = np.zeros((many, 9))
+    _jacobian(s, c, constants, s_every, c_every, out, many)
+    return out.reshape(many, 3, 3)
