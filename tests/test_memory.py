@@ -62,7 +62,7 @@ def effect(
 def derived(spec: Effect) -> ModuleType:
     """Return an effect's module as it would be generated."""
     module = ModuleType(spec.name)
-    (text,) = compiler.write_one(compiler.lower_one(compiler.derive_one(spec))).values()
+    text = compiler.write_one(compiler.lower_one(compiler.derive_one(spec)))[Path("effects/remembering.py")]
     exec(compile(text, spec.name, "exec"), module.__dict__)
     return module
 

@@ -249,11 +249,7 @@ def coupled(monkeypatch: pytest.MonkeyPatch) -> Effect:
         tests=(Reference({"torque_2": 1000.0, "oil_C": 3.0}, {"soft": 0.1}, {"joint": 0.3 * DEG}),),
     )
     monkeypatch.setattr(compiler, "_digest", lambda *paths: "")  # there is no file
-    (text,) = (
-        text
-        for path, text in compiler.write_one(compiler.lower_one(compiler.derive_one(spec))).items()
-        if path.suffix == ".py"
-    )
+    text = compiler.write_one(compiler.lower_one(compiler.derive_one(spec)))[Path("effects/made.py")]
     module = type(states)("made")
     exec(compile(text, "made.py", "exec"), module.__dict__)
     for room in ("terms", "parts"):
