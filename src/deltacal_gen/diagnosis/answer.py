@@ -112,7 +112,7 @@ def result_of(found: Diagnosed) -> Diagnosis:
     return Diagnosis(
         verdict=found.verdict,
         summary=" ".join(filter(None, (_summary(found), found.noise.contradiction, *_doubts(found)))),
-        noise=NoiseLevel(sigma_mm=sigma, source=found.noise.source, model=noise_model(final, found.noise)),
+        noise=NoiseLevel(sigma_mm=found.noise.told, source=found.noise.source, model=noise_model(final, found.noise)),
         baseline=Baseline(
             model=found.model, train_rms_mm=baseline.rms(), heldout_rms_mm=before, chi2_per_dof=of_baseline
         ),
@@ -134,7 +134,7 @@ def result_of(found: Diagnosed) -> Diagnosis:
         gross_errors=tuple(int(final.problem.readings.line[j]) for j in final.gross),
         correction=_correction(found),
         residuals=_residuals(found),
-        sigma_mm=sigma,
+        sigma_mm=found.noise.told,
         physics=tuple(map(kept_term, final.problem.acting(final.errors))),
         seen=None if found.spectrum is None else _seen(found.spectrum),
         clock=clock,

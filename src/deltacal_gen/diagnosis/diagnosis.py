@@ -63,7 +63,7 @@ from deltacal_gen.files.robot import Robot
 from deltacal_gen.identification import checks
 from deltacal_gen.identification.drawing import ANOTHERS, as_read, doubts, strained
 from deltacal_gen.identification.folds import folds
-from deltacal_gen.identification.noise import doubted, lack_of_fit, merely_more, noise
+from deltacal_gen.identification.noise import lack_of_fit, merely_more, stated
 from deltacal_gen.identification.prior import learned
 from deltacal_gen.identification.together import as_predicts, deviance_of, together
 from deltacal_gen.machine.backend import by_recording
@@ -125,7 +125,7 @@ def diagnose(
     current = _as_is_known(problem, current, lawful)
     unexplained |= _left_beside(lawful, current)
     heldout = heldout if spectrum is None else (heldout[0], spectrum.heldout[1])
-    known = noise(current, recording) if unexplained else doubted(noise(current, recording), current)
+    known = stated(current, recording, explained=not unexplained)
     named = named_of(search, current, heldout, known.sigma, spectrum)
     chance = Chance(Search(_beside_noise_of(search.fit, first), terms), np.random.default_rng(SEED))
     # where a law sits is told as it showed, without the law

@@ -169,7 +169,7 @@ def result_of(found: Identification) -> Result:
         degrees_of_freedom=freedom(final),
         train_rms_mm=final.rms(),
         heldout_rms_mm=found.heldout_rms if np.isfinite(found.heldout_rms) else None,
-        sigma_mm=sigma,
+        sigma_mm=found.noise.told,
         sigma_source=found.noise.source,
         residual_sigma_mm=residual_sigma,
         chi2_per_dof=(residual_sigma / sigma) ** 2 if sigma > 0 else None,

@@ -28,7 +28,7 @@ from deltacal_gen.identification.drawing import as_read
 from deltacal_gen.identification.folds import FOLDS, folds
 from deltacal_gen.identification.identifiability import Combination
 from deltacal_gen.identification.knowledge import uncertainty_of
-from deltacal_gen.identification.noise import noise
+from deltacal_gen.identification.noise import noise, with_tails
 from deltacal_gen.identification.remedies import printed, remedies
 from deltacal_gen.identification.together import together
 from deltacal_gen.identification.uncertainty import uncertainty_map
@@ -115,7 +115,7 @@ def identify(
     found = zip((p.name for p in mechanism.parameters), final.errors.tolist(), strict=True)
     calibrated = dataclasses.replace(robot, errors={name: value for name, value in found if value or name in names})
     progress("uncertainty over the workspace")
-    of_noise = noise(final, recording)
+    of_noise = with_tails(noise(final, recording), final)
     uncertainty = uncertainty_of(final, of_noise)
     return Identification(
         model=chosen,

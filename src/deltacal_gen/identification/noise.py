@@ -11,6 +11,7 @@ from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.residuals import lengths
 from deltacal_gen.identification.repeats import ENOUGH, repeats
 from deltacal_gen.identification.rounding import rounding_of
+from deltacal_gen.identification.tails import NO_TAILS, Tails, tails_of
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.results.parts import NoiseModel, Source
@@ -33,7 +34,8 @@ class Noise:
     """Noise per measured scalar [mm], where it is known from, and the degrees of freedom of that knowledge.
 
     `repeated` says that repeats bear it out, `refuted` is a declared noise that they contradict, or what a fit leaves
-    [mm]; `rounded` says that joints or readings were rounded, where the noise holds that.
+    [mm]; `rounded` says that joints or readings were rounded, where the noise holds that. `sigma` is what fits count
+    with; where it is what one leaves, `told` is the standard deviation of noise with such tails.
     """
 
     sigma: float
@@ -42,6 +44,12 @@ class Noise:
     repeated: bool = False
     refuted: float | None = None
     rounded: str = ""
+    tails: Tails = NO_TAILS
+
+    @property
+    def told(self) -> float:
+        """Standard deviation of a reading [mm]."""
+        return self.sigma * self.tails.spread if self.source is Source.RESIDUAL else self.sigma
 
     @property
     def contradiction(self) -> str:
@@ -89,6 +97,17 @@ def doubted(known: Noise, final: Fit) -> Noise:
     return Noise(coordinate_sigma(final), Source.RESIDUAL, np.inf, refuted=known.sigma)
 
 
+def with_tails(known: Noise, final: Fit) -> Noise:
+    """Return noise with the tails that a fit leaves, which then is nothing but noise."""
+    return dataclasses.replace(known, tails=tails_of(final))
+
+
+def stated(final: Fit, recording: Recording, *, explained: bool) -> Noise:
+    """Return the noise as a diagnosis states it: where all is explained, what is left may refute what was declared."""
+    known = noise(final, recording)
+    return with_tails(doubted(known, final), final) if explained else known
+
+
 def _known(final: Fit, recording: Recording) -> Noise:
     """Return what `noise` does, rounding left out."""
     found, residual = final.problem.readings, coordinate_sigma(final)
@@ -121,8 +140,16 @@ def noise_model(final: Fit, known: Noise) -> NoiseModel:
         words += f", beside {own:.0%} of its variance that is each row's own)" if own else ")"
     columns = None if shape is None else tuple(np.sqrt(np.diag(shape)).tolist())
     words += "" if shape is None else f"; {_directed(shape)}"
-    words += f"; {known.rounded}" if known.rounded else ""
-    return NoiseModel(rho=rho, rows=rows, own=own, columns=columns, text=words)
+    words += "".join(f"; {said}" for said in (str(known.tails), known.rounded) if said)
+    return NoiseModel(
+        rho=rho,
+        rows=rows,
+        own=own,
+        columns=columns,
+        tails=known.tails.shape,
+        degrees=known.tails.degrees,
+        text=words,
+    )
 
 
 def _directed(shape: Array) -> str:

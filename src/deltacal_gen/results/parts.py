@@ -173,4 +173,8 @@ class NoiseModel(Value):
     """Part of the variance that is each row's own, beside what fades."""
     columns: tuple[float, ...] | None = None
     """Standard deviation of each component of a reading, in units of all together; null where they are alike."""
+    tails: Literal["Laplace", "Student"] | None = None
+    """The distribution that large errors are as frequent in; null where they are in the normal one."""
+    degrees: float | None = None
+    """Of freedom, of Student's distribution."""
     text: str
