@@ -20,7 +20,7 @@ from deltacal_gen.identification.folds import folds
 from deltacal_gen.identification.identification import identify
 from deltacal_gen.instrument.kinds import readings
 from deltacal_gen.machine.registry import Array, load_mechanism
-from deltacal_gen.machine.values import Measurement, Recording, Robot
+from deltacal_gen.machine.values import Measurement, Recording, Robot, poses_of
 from deltacal_gen.physics.motion import approach, motion_of
 from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.physics.terms import Term, blank
@@ -156,6 +156,37 @@ def test_a_robot_without_a_drawing_survives_its_file(robot: Robot, tmp_path: Pat
 def test_the_way_a_joint_came_turns_with_it_and_not_with_its_flutter() -> None:
     q = np.array([0.0, 0.0, 1.0, 2.0, 1.999, 2.0, 3.0, 2.5, 2.501, 1.0])
     assert approach(q, 0.01).tolist() == [0, 0, 1, 1, 1, 1, 1, -1, -1, -1]
+
+
+def test_a_run_that_begins_where_the_last_one_ended_came_as_that_did(robot: Robot) -> None:
+    made = motion(robot)
+    joints, run = made.joints.copy(), made.channels["run"]
+    joints[run == 1, 0] = joints[run == 0, 0][-1]  # joint 1 waits throughout the second run
+    way = motion_of(dataclasses.replace(made, joints=joints))["approach1"]
+    (came,) = np.unique(way[run == 1])
+    assert came == way[run == 0][-1] != 0
+    assert way[run == 0][0] == 0  # nobody knows
+
+
+def test_samples_of_runs_are_of_one_pose_while_the_joints_stand(robot: Robot) -> None:
+    made = motion(robot)
+    joints = np.repeat([[0.1], [0.2], [0.1]], (3, 1, 2), axis=0) * np.ones(3)
+    part = dataclasses.replace(made.subset(np.arange(6)), joints=joints)
+    assert poses_of(part).tolist() == [0, 0, 0, 1, 2, 2]
+    apart = dataclasses.replace(part, channels={"run": np.array([0.0, 0, 1, 1, 1, 1])})
+    assert poses_of(apart).tolist() == [0, 0, 1, 2, 3, 3]
+    at_rest = dataclasses.replace(part, channels={})
+    assert poses_of(at_rest).tolist() == [0, 0, 0, 1, 0, 0]
+
+
+def test_a_clock_that_begins_anew_with_a_run_tells_nothing_of_time(robot: Robot) -> None:
+    made = read(robot, (play(0.3),))
+    untested = {m.name: m.missing for m in diagnose(robot, made).answer().not_tested}
+    assert untested["zero_drift"] == untested["warm_up"] == untested["zero_jump"]
+    assert "begins anew with a run" in untested["zero_drift"]
+    time, run = made.channels["time_s"], made.channels["run"]
+    through = dataclasses.replace(made, channels=made.channels | {"time_s": time + 100 * run})
+    assert "zero_drift" not in {m.name for m in diagnose(robot, through).answer().not_tested}
 
 
 def test_speeds_are_made_without_delay_run_by_run(robot: Robot) -> None:

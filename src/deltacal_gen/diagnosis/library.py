@@ -20,7 +20,7 @@ from deltacal_gen.physics.terms import (
     load_effect,
 )
 from deltacal_gen.results.parts import Missing
-from deltacal_gen.states import CHANNELS, RECORDED, State, named, read_by
+from deltacal_gen.states import CHANNELS, RECORDED, TIME, State, named, read_by
 
 Form = tuple[Constant, ...]  # the constants before one that is searched
 ORDERS = 100  # integer orders of a periodic error that are searched
@@ -88,6 +88,8 @@ def _constant(problem: Problem, name: str) -> str | None:
             return channel.differing
     if problem.recording.measurement.clock and not kernels.PER_LIMB and "qd" in kernels.STATE:
         return "one clock: where the instrument has its own, an offset of the clocks does the same"
+    if problem.recording.begins_anew and _by_the_clock(kernels):
+        return "one clock: the time of this recording begins anew with a run"
     if unseen(problem, name):
         return f"readings of the platform; those of the kind {kind.name} see joints alone"
     if kernels.ACTS_ON == "reading" and not any(t in kind.targets for t in kernels.TARGETS):
@@ -100,6 +102,11 @@ def _constant(problem: Problem, name: str) -> str | None:
         if {p.name for p in problem.mechanism.parameters if p.error in moved} <= set(problem.names):
             return "a smaller model: this one fits these errors as geometry"
     return None
+
+
+def _by_the_clock(kernels: Kernels) -> bool:
+    """Tell whether an effect asks what time it is, not how long ago something was."""
+    return "clocks" in kernels.SEARCHED or any(c.column == TIME for s in read_by(kernels) for c in s.channels)
 
 
 def unseen(problem: Problem, name: str) -> bool:

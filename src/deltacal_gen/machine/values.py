@@ -7,6 +7,7 @@ costs NumPy alone, so that arrays are identified as soon as a process has starte
 from __future__ import annotations
 
 import dataclasses
+import itertools
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -379,6 +380,15 @@ class Recording:
         return self.channels.get(TIME)
 
     @property
+    def begins_anew(self) -> bool:
+        """Whether time begins anew with some run, so that two runs stand at one time."""
+        time, run = self.time_s, self.channels.get("run")
+        if time is None or run is None:
+            return False
+        ends = sorted((float(time[run == k].min()), float(time[run == k].max())) for k in np.unique(run[run == run]))
+        return any(begin < end for (_, end), (begin, _) in itertools.pairwise(ends))
+
+    @property
     def payload_kg(self) -> np.ndarray | None:
         """(N,) payload [kg], or None."""
         return self.channels.get(PAYLOAD)
@@ -408,10 +418,16 @@ class Recording:
 
 
 def poses_of(recording: Recording) -> np.ndarray:
-    """Return the pose (N,) of each row: label and set-up or, where there are no labels, joints and tool point."""
+    """Return the pose (N,) of each row: label and set-up or, where there are no labels, joints and tool point.
+
+    Samples of runs are of one pose as long as the joints stand: what passes there, or comes back, comes differently.
+    """
     _, label = np.unique(recording.pose, return_inverse=True)
     if label.max(initial=-1) + 1 == recording.n_rows and recording.pairs is None:
         tool = np.zeros((recording.n_rows, 3)) if recording.tool is None else np.nan_to_num(recording.tool)
         key = np.round(np.column_stack([recording.joints, tool, recording.setup]), 9)
+        if (run := recording.channels.get("run")) is not None:
+            went = np.any(np.diff(np.column_stack([key, run]), axis=0, prepend=np.nan) != 0, axis=1)
+            key = np.cumsum(went)[:, None]
         return numbered(key)
     return numbered(np.column_stack([label, recording.setup]))

@@ -52,6 +52,7 @@ def motion_of(recording: Recording) -> dict[str, Array]:
     """Return columns (N,) that a recording with time lacks: ``approach1 ..., qd1_deg_s ..., qdd1_deg_s2 ...``.
 
     Rows of one ``run`` (or set-up) follow each other. Nothing is made where the time does not increase within them.
+    A joint that begins a run where it ended the last one still stands as it then came.
     """
     time, joints = recording.time_s, recording.joints
     if time is None or not np.isfinite(time).all():
@@ -62,6 +63,7 @@ def motion_of(recording: Recording) -> dict[str, Array]:
         return {}
     way, speed, rate = (np.zeros(joints.shape) for _ in range(3))
     spline = _spline_derivatives(recording, runs)
+    ended = np.full((2, count), np.nan)  # where the run before left the joints, and which way they had come
     for rows in runs:
         if spline is None:
             speed[rows] = np.gradient(joints[rows], time[rows], axis=0)
@@ -69,7 +71,10 @@ def motion_of(recording: Recording) -> dict[str, Array]:
         else:
             speed[rows], rate[rows] = spline[:, rows]
         for j in range(count):
-            way[rows, j] = approach(joints[rows, j], REVERSED * float(np.ptp(joints[:, j])))
+            least = REVERSED * float(np.ptp(joints[:, j]))
+            stayed = abs(joints[rows[0], j] - ended[0, j]) <= least
+            way[rows, j] = approach(joints[rows, j], least, ended[1, j] if stayed else 0.0)
+        ended = np.array([joints[rows[-1]], way[rows[-1]]])
     factors = np.array(joint_factors(unit, count))
     made = {
         APPROACH: way,
@@ -98,12 +103,12 @@ def _spline_derivatives(recording: Recording, runs: list[np.ndarray]) -> Array |
     return out
 
 
-def approach(q: Array, least: float) -> Array:
-    """Return the direction (N,) in which a joint q (N,) last moved, 1 or -1; 0 before it has moved.
+def approach(q: Array, least: float, way: float = 0.0) -> Array:
+    """Return the direction (N,) in which a joint q (N,) last moved, 1 or -1; `way` before it has moved, 0: unknown.
 
     It turns where the joint has gone back by more than `least`.
     """
-    out, way, far = np.zeros(len(q)), 0.0, q[0] if len(q) else 0.0
+    out, far = np.zeros(len(q)), q[0] if len(q) else 0.0
     for k, at in enumerate(q):
         if abs(at - far) > least and (at - far) * way <= 0:
             way, far = float(np.sign(at - far)), at

@@ -28,7 +28,7 @@ from deltacal_gen.physics.law import PREFIX, followed, load_law
 from deltacal_gen.physics.memory import recursion
 from deltacal_gen.physics.parts import has_load
 from deltacal_gen.physics.terms import Term, blank
-from deltacal_gen.states import CHANNELS, STATES, named
+from deltacal_gen.states import CHANNELS, STATES, TIME, named
 
 TARGETS = (
     *("joint", "limb.arm", "limb.rod", "limb.outwards", "limb.tip_v", "limb.tip_w"),
@@ -406,6 +406,8 @@ def _missing(problem: Problem, name: str) -> bool:
         if not has_load(problem.mechanism, s):
             return True
     if s.kind == "place" and name in AXES and name not in problem.mechanism.axes:
+        return True
+    if problem.recording.begins_anew and any(c.column == TIME for c in s.channels):
         return True
     return any(body.channels.get(c.base) is None for c in s.channels)
 
