@@ -98,6 +98,8 @@ def test_both_errors_are_as_often_as_stated(size: float) -> None:
     assert [Evidence(k * 2 * np.sqrt(size), size, size).denies for k in (-1.1, -0.9, 1.0)] == [True, False, False]
     short = [Evidence(size - k * 2 * np.sqrt(size), size, size).falls_short for k in (3.1, 2.9)]
     assert short == [True, size < 16]  # where the effects are small: farther off by what the ratio scatters
+    large = 100 * size  # sizes that differ from part to part are told where there are many readings, and no reason
+    assert [Evidence(part * large, large, large).falls_short for part in (0.4, 0.6)] == [True, False]
 
 
 def test_a_gross_error_says_no_more_than_huber_lets_it(weak: Diagnosed) -> None:

@@ -43,7 +43,7 @@ STEERING = {
     "identification.folds": ("FOLDS",),
     "diagnosis.answer": ("SHORT",),
     "diagnosis.diagnosis": ("MACHINED", "MOST_POSES"),
-    "diagnosis.evidence": ("FAR", "MOST_WRONG"),
+    "diagnosis.evidence": ("FAR", "SHORT", "MOST_WRONG"),
     "diagnosis.findings": ("AMBIGUOUS",),
     "diagnosis.refits": ("ROOM",),
     "diagnosis.strategy": (

@@ -18,6 +18,7 @@ from deltacal_gen.estimation.residuals import HUBER
 from deltacal_gen.machine.registry import Array
 
 FAR = 3.0  # times what the ratio scatters by: so far below its size it is not of effects that hold
+SHORT = 0.5  # of its size: what bears out less predicts hardly better than no effect (three quarters of each movement)
 MOST_WRONG = 0.05  # probability of either error, beyond which held-out readings decide nothing
 
 
@@ -62,8 +63,10 @@ class Evidence:
         """Whether the readings deny the effects, or bear out far less than effects that hold move them by.
 
         What only stands for something else, or was chosen of very many, moves readings by more than they bear out.
+        Beside what nothing explains sizes differ from part to part by more than noise: then at least by half.
         """
-        return self.denies or self.ratio < self.expected - FAR * 2 * float(np.sqrt(max(self.expected, 0.0)))
+        scatter = FAR * 2 * float(np.sqrt(max(self.expected, 0.0)))
+        return self.denies or self.ratio < min(self.expected - scatter, SHORT * self.expected)
 
 
 def evidence(at: Fit, before: Array, after: Array) -> Evidence:
