@@ -170,6 +170,17 @@ def test_a_lens_is_found_with_the_machine(robot: Robot) -> None:
         assert p.unit == ("px" if name.endswith("px") else "1")
 
 
+def test_an_image_that_is_wrong_does_not_say_how_long_the_lens_is() -> None:
+    """One of five points, of which one was found wrongly, leads to a homography that seems to see much perspective."""
+    rng, focal, H = np.random.default_rng(4), 1500.0, []
+    for _ in range(9):
+        R = from_vector(rng.uniform(-0.4, 0.4, (1, 3)))[0].reshape(3, 3)
+        H.append(np.diag([focal, focal, 1.0]) @ np.column_stack([R[:, :2], [20.0, -30.0, 400.0]]))
+    assert board.focal_length(np.array(H), 1280.0) == pytest.approx(focal, rel=1e-9)
+    H[3] = H[3] @ np.array([[1, 0, 0], [0, 1, 0], [0.01, -0.02, 1]])
+    assert board.focal_length(np.array(H), 1280.0) == pytest.approx(focal, rel=1e-9)
+
+
 def test_focal_length_and_distance_are_one_where_nothing_tilts_or_comes_nearer(robot: Robot) -> None:
     """A camera that looks straight down from one height, through a lens without distortion."""
     plain = {**LENS, "k1": 0.0}

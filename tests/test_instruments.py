@@ -16,7 +16,7 @@ from conftest import Run
 
 import deltacal_gen as dc
 from deltacal_gen.machine.registry import Array
-from tests.benchmarks.instruments import at_best
+from tests.benchmarks.instruments import BOARD, DELTA, at_best, leaning, spoken, touches
 from tests.exact_camera import (
     BENT,
     LENS,
@@ -53,6 +53,17 @@ def answer(run: Run, *arguments: object) -> dict[str, Any]:
 
 def parameters(found: Mapping[str, Any]) -> dict[str, Any]:
     return {p["name"]: p for p in found["parameters"]}
+
+
+# -------------------------------------------------------------------------------------------------------------- prints
+
+
+def test_the_plane_of_a_delta_and_that_of_the_print_it_touches_are_one(tmp_path: Path) -> None:
+    said = 'kind = "position"\nsigma_mm = 0.02\n'
+    on_print, at_robot = touches(np.random.default_rng(5))
+    assert leaning(dc.identify(DELTA, write(tmp_path / "print.csv", on_print, said)))
+    known = dc.identify(DELTA, write(tmp_path / "known.csv", at_robot, f'{said}frame = "robot"\n'))
+    assert not spoken(known, BOARD)
 
 
 # ------------------------------------------------------------------------------------------------------------- images

@@ -50,7 +50,6 @@ FUNCTIONS = {
     "instrument/board.py:at_origin": "a camera moved to its part's origin, the board along with it: no image changes",
     "instrument/board.py:first": BEGUN,
     "instrument/board.py:fitted": "normal equations",
-    "instrument/board.py:focal_length": BEGUN,
     "instrument/board.py:hand_eye": BEGUN,
     "instrument/board.py:homography": BEGUN,
     "instrument/board.py:looked_at": "the point that lines pass closest, by least squares",

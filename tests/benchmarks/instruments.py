@@ -7,7 +7,8 @@ adjustment that is told the machine and which points are wrong, and beside the b
 squared error by the bound's covariance is 1 in the mean; images of new poses, beside OpenCV's hand-eye methods on the
 same files where a version has them (``calibrateHandEye``: 4.x), with the arm as drawn and with the true one.
 
-``confounds``: what readings cannot tell apart, said in words with both members; and not said where they can.
+``confounds``: what readings cannot tell apart, said in words with both members; and not said where they can. Planes are
+those in which a Delta of our own moves, leaning, and in which a print lies that its tip touches.
 
 Seeds are 0, 1, ...; those that the file has are not tried again.
 """
@@ -23,7 +24,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from scipy.optimize import least_squares
+from scipy.optimize import least_squares, root
 from scipy.spatial.transform import Rotation
 
 import deltacal_gen as dc
@@ -42,6 +43,7 @@ from tests.exact_camera import (
     turn,
     write,
 )
+from tests.independent_delta import closure, numbers
 
 Array = np.ndarray
 VIEWS, NEW = 30, 12
@@ -222,7 +224,11 @@ def opencv(columns: Mapping[str, Sequence[Any]], place: str, errors: Mapping[str
 
 # ----------------------------------------------------------------------------------------------------------- confounds
 
-SCALE, DISTANCE = "the machine's own scale", "the distance of the board"
+SCALE, DISTANCE, BOARD = "the machine's own scale", "the distance of the board", "where the board lies"
+DELTA = Path(dc.__file__).parent / "examples/delta/robot.toml"
+SHOULDERS = ("ez_1", "ez_2", "ez_3")  # heights, by which the plane leans and lies in which a Delta moves
+PRINT = np.array([[x, y, 0.0] for x in np.linspace(-250, 250, 6) for y in np.linspace(-200, 200, 5)])
+BELOW = 860.0  # mm
 
 
 def confounds_row(seed: int, folder: Path) -> dict[str, float]:
@@ -250,6 +256,8 @@ def confounds_row(seed: int, folder: Path) -> dict[str, float]:
     behind = {f"q{i + 1}_mm": flat["q"][:, i] for i in range(3)}
     behind |= {f"enc{i + 1}_mm": flat["q"][:, i] + 0.5 + 0.01 * rng.standard_normal(VIEWS) for i in range(3)}
     encoder = told(axes, behind, 'kind = "encoder"\n')
+    on_print, at_robot = touches(rng)
+    delta, there = told(DELTA, on_print, touch), told(DELTA, at_robot, f'{touch}frame = "robot"\n')
     centre = {name: LENS[name] for name in ("cx_px", "cy_px")}
     still = told(axes, flat["images"], camera("platform", **centre))
     return {
@@ -258,10 +266,12 @@ def confounds_row(seed: int, folder: Path) -> dict[str, float]:
         "focal length": rival(still, "fx_px", DISTANCE),
         "zero and frame": spoken(felt, "theta_1 and where the board lies"),
         "zero and camera": spoken(known, "theta_1 and where camera and board stand"),
+        "plane and plane": leaning(delta),
         "zero and encoder": rival(encoder, "enc_zero_2", "the zero of joint 2"),
         "not there: print, seen": spoken(known, SCALE),
         "not there: print, touched": spoken(felt, SCALE),
         "not there: focal length": spoken(free, DISTANCE),
+        "not there: plane and plane": spoken(there, BOARD),
         "not there: zero of joint 2": spoken(known, "theta_2 and where") or spoken(felt, "theta_2 and where"),
     }
 
@@ -276,6 +286,39 @@ def rival(result: Any, name: str, words: str) -> float:
 def spoken(result: Any, words: str) -> float:
     """Return 1 where a sentence on what is one number has these words."""
     return float(any(words in c.text for c in result.unidentifiable if "one number" in c.text))
+
+
+def leaning(result: Any) -> float:
+    """Return 1 where each height of a shoulder is told with where the board lies, and that this would settle it."""
+    told = [c.text for c in result.unidentifiable if f"and {BOARD} are one number" in c.text]
+    both = all(any(f"{name} by" in text for text in told) for name in SHOULDERS)
+    return float(both and any(BOARD in remedy.measurement for remedy in result.next_measurements))
+
+
+def touches(rng: np.random.Generator) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Return what a Delta with errors reads that touches a leaning print all over; the same in the robot's frame."""
+    sizes = {"ez": 0.5, "theta": np.radians(0.2), "L": 0.3}  # mm, rad
+    wrong = {f"{name}_{i}": size * rng.standard_normal() for name, size in sizes.items() for i in (1, 2, 3)}
+    drawn, joints = numbers(dc.read_robot(DELTA).geometry), np.zeros((len(PRINT), 3))
+    points = PRINT @ turn(*rng.uniform(-0.02, 0.02, 2), 0.0).T - [0.0, 0.0, BELOW]
+    for k, at in enumerate(points):
+
+        def off(u: Array, at: Array = at) -> Array:  # the platform's turns, and the joints
+            return closure(drawn, wrong, np.concatenate([at, u[:3]]), u[3:], np.zeros(3)) / BELOW
+
+        def slope(u: Array, off: Any = off) -> Array:
+            return np.column_stack([off(u + 1e-20j * e).imag / 1e-20 for e in np.eye(6)])
+
+        found = root(off, np.concatenate([np.zeros(3), joints[k - 1]]), jac=slope, tol=1e-12)
+        assert np.abs(found.fun).max() < 1e-9, f"the Delta does not reach {at}"
+        assert np.abs(found.x[:3]).max() < 0.1, f"the platform is turned over at {at}"
+        joints[k] = found.x[3:]
+    joints = np.degrees(joints)
+    columns = {f"q{i + 1}_deg": q for i, q in enumerate(joints.T)}
+    noise = 0.02 * rng.standard_normal(PRINT.shape)
+    read = (PRINT + noise * [1, 1, 0], points + noise)
+    on_print, at_robot = (columns | {f"board_{a}_mm": v for a, v in zip("xyz", r.T, strict=True)} for r in read)
+    return on_print, at_robot
 
 
 def table(folder: Path) -> Path:
