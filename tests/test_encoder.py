@@ -19,7 +19,7 @@ from deltacal_gen.files.writing import write_recording
 from deltacal_gen.identification.folds import folds
 from deltacal_gen.identification.identification import identify
 from deltacal_gen.instrument.kinds import readings
-from deltacal_gen.machine.registry import Array, load_mechanism
+from deltacal_gen.machine.registry import Array, load_mechanism, mechanism_of
 from deltacal_gen.machine.values import Measurement, Recording, Robot, poses_of
 from deltacal_gen.physics.motion import approach, motion_of
 from deltacal_gen.physics.simulation import simulate
@@ -27,6 +27,9 @@ from deltacal_gen.physics.terms import Term, blank
 from deltacal_gen.units import DEG
 from deltacal_gen.use import prediction, validation
 from deltacal_gen.use.comparison import compare
+from derive.review import checks
+from derive.review.subjects import example
+from tests.benchmarks.truth import BEHIND, behind
 
 EXAMPLES = Path(__file__).parents[1] / "src/deltacal_gen/examples"
 UNDRAWN = {"robot": {"name": "arms alone", "mechanism": "delta"}, "joints": {"sign": [-1, -1, -1]}}
@@ -302,3 +305,14 @@ def test_joints_are_planned_from_both_sides(run: Run, tmp_path: Path) -> None:
     file.write_text(robot_to_toml(robot_from_dict(UNDRAWN)))
     assert "how far the joints go" in run("plan", file, "--kind", "encoder")[2]
     assert "cycles are of one axis" in run("plan", file, "--kind", "encoder", "--cycles", 3)[2]
+
+
+@pytest.mark.parametrize(("name", "zeros"), [("delta", 3), ("complete_delta", 3), ("diamond", 2)])
+def test_the_scale_of_truth_ranks_encoders(name: str, zeros: int) -> None:
+    """Of a joint whose encoder's zero is known its own is seen, also where two errors together are it; else nothing."""
+    machine = example(name)
+    assert machine is not None
+    mechanism = mechanism_of(machine)
+    names, at = mechanism.models[mechanism.full_model], checks.trials(machine)
+    seen = {unknown: behind(machine, at, names, words) for words, unknown in BEHIND.items()}
+    assert seen == {True: 0, False: zeros}
