@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from conftest import Run
 
+import deltacal_gen as dc
 from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import Robot, robot_from_dict, robot_to_toml
@@ -92,6 +93,28 @@ def test_validation_gives_iso_230_2(robot: Robot, tmp_path: Path) -> None:
     assert done.poses == 19  # the ends are reached from one side alone
     assert done.B_mm == pytest.approx(WIDTH, abs=4 * NOISE)
     assert done.A_mm > done.E_mm > done.M_mm
+    assert done.unit == "mm"
+    at = [p.at for p in done.places]
+    assert at == sorted(set(at))
+    assert max(abs(p.up_mm - p.down_mm) for p in done.places) == pytest.approx(done.B_mm)
+
+
+def test_a_page_of_a_validation_draws_the_axis_from_both_sides(robot: Robot, run: Run, tmp_path: Path) -> None:
+    made = cycles(tmp_path, robot, "z_mm")
+    dc.identify(robot, made, output=tmp_path / "r.json")
+    code, _, said = run("validate", tmp_path / "r.json", made.path, "--report", tmp_path / "v.html")
+    assert code == 0, said
+    page = (tmp_path / "v.html").read_text(encoding="utf-8")
+    figures = dc.validate(tmp_path / "r.json", made.path).iso230
+    assert figures is not None
+    for words in ("ISO 9283, 21 poses", "ISO 230-2, 19 positions", "downwards", f"{figures.B_mm:.4f}", "<svg"):
+        assert words in page
+    assert "http" not in page.replace("http://www.w3.org", "")
+    picture = dc.validate(tmp_path / "r.json", made.path).plot()
+    assert [line.get_label() for line in picture.axes[0].get_lines()][:3] == ["upwards", "downwards", "mean of both"]
+    code, _, said = run("validate", tmp_path / "r.json", made.path, "--blocks", "--report", tmp_path / "v.html")
+    assert code != 0
+    assert "leave --report or --blocks out" in said
 
 
 def by_hand(values: Array) -> tuple[float, ...]:
@@ -121,7 +144,8 @@ def test_the_figures_are_those_of_the_standard() -> None:
     way = np.tile(np.repeat([1.0, -1.0], 5), 4)
     found = iso230.axis(values.ravel(), position, way)
     assert found is not None
-    assert found[1:] == pytest.approx(by_hand(values))
+    assert found[3:] == pytest.approx(by_hand(values))
+    assert found.means == pytest.approx(values.mean(axis=2))
     assert iso230.axis(values.ravel(), position, np.ones(40)) is None
 
 

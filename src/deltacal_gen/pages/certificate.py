@@ -4,26 +4,10 @@ from __future__ import annotations
 
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.pages import report
+from deltacal_gen.pages.validation import norms
 from deltacal_gen.results.certificate import Certificate
-from deltacal_gen.results.validation import Iso230, Iso9283
 
 MANY = 10_000  # degrees of freedom: t and normal distribution are one
-_ISO9283 = {
-    "AP_mean_mm": "accuracy of a pose AP, mean",
-    "AP_max_mm": "accuracy of a pose AP, largest",
-    "RP_mean_mm": "repeatability of a pose RP, mean",
-    "RP_max_mm": "repeatability of a pose RP, largest",
-    "AD_mean_mm": "accuracy of a distance AD, mean",
-    "AD_max_mm": "accuracy of a distance AD, largest",
-    "RD_max_mm": "repeatability of a distance RD, largest",
-}
-_ISO230 = {
-    "A_mm": "accuracy A",
-    "E_mm": "systematic deviation E",
-    "R_mm": "repeatability R",
-    "B_mm": "reversal B",
-    "M_mm": "mean deviation M",
-}
 
 
 def certificate(found: Certificate) -> str:
@@ -73,10 +57,7 @@ def certificate(found: Certificate) -> str:
             "%", " %"
         ),
         measurand=f"Measurand: {budget.measurand}.",
-        norms=[
-            *_iso(found.iso9283, "ISO 9283, {} poses", _ISO9283),
-            *_iso(found.iso230, "ISO 230-2, {} positions", _ISO230),
-        ],
+        norms=norms(found.iso9283, found.iso230),
         files=[
             *(("calibration", file) for file in (found.fitted.inputs if found.fitted else ())),
             *(("certificate", file) for file in found.made.inputs),
@@ -86,13 +67,3 @@ def certificate(found: Certificate) -> str:
 
 def _degrees(value: float | None) -> str:
     return "∞" if value is None or value > MANY else f"{value:.0f}"
-
-
-def _iso(
-    answer: Iso9283 | Iso230 | None, title: str, names: dict[str, str]
-) -> list[tuple[str, list[tuple[str, str]], str]]:
-    if answer is None:
-        return []
-    written = dict(answer.written())
-    rows = [(words, f"{written[key]:.4f}") for key, words in names.items() if key in written]
-    return [(title.format(answer.poses), rows, f"{answer.note[:1].upper()}{answer.note[1:]}.")]

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from deltacal_gen.errors import UsageError
-from deltacal_gen.pages import figures
+from deltacal_gen.pages import figures, validation
 from deltacal_gen.pages.figures import AFTER, MUTED, STYLE, Sheet, mpl
 from deltacal_gen.results.base import Answer
 from deltacal_gen.results.batch import Batch, DrivesRow, FailedRow
@@ -58,7 +58,12 @@ def _plan(found: Plan) -> Sheet:
 
 
 def _validation(found: Validation) -> Sheet:
-    """Draw the worst readings, beside the rms of all and the noise."""
+    """Draw the worst readings, beside the rms of all and the noise; of an axis its deviations from either side."""
+    if found.iso230 is not None and found.iso230.places:
+        figure, axes = figures.sheet(1, 1, validation.SIZE)
+        validation.axis(axes, found.iso230)
+        figure.suptitle(found.headline, x=0.01, ha="left")
+        return figure
     figure, axes = figures.sheet(1, 1, (6.4, 1.2 + 0.25 * len(found.rows)))
     axes.barh([f"line {row.line}" for row in found.rows], [row.error_mm for row in found.rows], color=AFTER)
     axes.invert_yaxis()

@@ -29,6 +29,17 @@ class Iso9283(Value):
     note: str
 
 
+class AxisPlace(Value):
+    """Deviations at a position of an axis that was reached from either side: means and standard deviations."""
+
+    at: float
+    """Where the joint was commanded, in its own unit."""
+    up_mm: float
+    down_mm: float
+    up_std_mm: float
+    down_std_mm: float
+
+
 class Iso230(Value):
     """One axis whose positions were read at least twice from both sides (ISO 230-2, bi-directional)."""
 
@@ -38,6 +49,10 @@ class Iso230(Value):
     R_mm: float
     B_mm: float
     M_mm: float
+    unit: str = "mm"
+    """Of the joint, mm or deg."""
+    places: tuple[AxisPlace, ...] = ()
+    """Position by position, the lowest first."""
     note: str
 
 
@@ -57,6 +72,22 @@ class Placed(Value):
     turn_deg: float | None = None
     left_out: bool
     """Whether the errors are of readings that took no part in the placing; too few poses allow none."""
+
+    @property
+    def sentence(self) -> str:
+        """That the set-up was placed by the readings, and what that means for the figures."""
+        if self.why == "unknown":
+            known = f"The result does not know the set-up '{self.setup}'"
+        else:
+            far = "" if self.shift_mm is None else f", {self.shift_mm:.1f} mm and {self.turn_deg:.2f} deg away"
+            known = (
+                f"The instrument (set-up '{self.setup}') stands elsewhere than the result knows it{far}; there these "
+                f"readings would be off by {self.rms_where_known_mm:.4g} mm rms"
+            )
+        errors = "each error is of a pose that was left out of that"
+        if not self.left_out:
+            errors = "there are too few poses to leave some out, so that the errors flatter"
+        return f"{known}. It was placed by its {self.readings} readings ({self.unknowns} numbers); {errors}."
 
 
 class Validation(Answer):

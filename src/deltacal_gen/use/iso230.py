@@ -17,9 +17,14 @@ FEWEST = 2  # readings of a position from either side, without which nothing spr
 
 
 class Axis(NamedTuple):
-    """Figures of an axis [mm], over so many positions that were read often enough from both sides."""
+    """Figures of an axis [mm], over the positions that were read often enough from both sides.
 
-    positions: int
+    `positions` (P,) says which; `means` and `spreads` (P, 2) are of the side from below and that from above.
+    """
+
+    positions: np.ndarray
+    means: Array
+    spreads: Array
     accuracy: float
     systematic: float
     repeatability: float
@@ -41,10 +46,11 @@ def axis(deviation: Array, position: np.ndarray, way: Array) -> Axis | None:
     ----------
     ISO 230-2:2014, sections 2.13 to 2.22.
     """
-    means, spreads = [], []
+    which, means, spreads = [], [], []
     for p in np.unique(position):
         sides = [deviation[(position == p) & (way == side)] for side in (1, -1)]
         if min(map(len, sides)) >= FEWEST:
+            which.append(p)
             means.append([side.mean() for side in sides])
             spreads.append([side.std(ddof=1) for side in sides])
     if not means:
@@ -53,7 +59,9 @@ def axis(deviation: Array, position: np.ndarray, way: Array) -> Axis | None:
     reversal = np.abs(x[:, 0] - x[:, 1])
     repeated = np.maximum(2 * s.sum(axis=1) + reversal, 4 * s.max(axis=1))
     return Axis(
-        positions=len(x),
+        positions=np.array(which),
+        means=x,
+        spreads=s,
         accuracy=float((x + 2 * s).max() - (x - 2 * s).min()),
         systematic=float(np.ptp(x)),
         repeatability=float(repeated.max()),

@@ -24,8 +24,8 @@ from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.motion import with_motion
 from deltacal_gen.results.diagnosis import Diagnosis
 from deltacal_gen.results.result import Result
-from deltacal_gen.results.validation import Iso230, Iso9283, Placed, Row, Validation
-from deltacal_gen.units import DEG
+from deltacal_gen.results.validation import AxisPlace, Iso230, Iso9283, Placed, Row, Validation
+from deltacal_gen.units import DEG, file_unit, of_joints, to_internal
 from deltacal_gen.use import iso230, iso9283
 from deltacal_gen.use.prediction import (
     Known,
@@ -198,14 +198,26 @@ def _of_axis(found: Readings, r: Array, recording: Recording) -> Iso230 | None:
     way = with_motion(recording).channels.get("approach1")
     if len(read) != 1 or recording.joints.shape[1] != 1 or way is None:
         return None
-    done = iso230.axis(r[:, read[0]], found.group, way[found.rows[:, 0]])
-    return done and Iso230(
-        poses=done.positions,
+    rows = found.rows[:, 0]
+    done = iso230.axis(r[:, read[0]], found.group, way[rows])
+    if done is None:
+        return None
+    (unit,) = map(file_unit, of_joints(recording.joint_unit, 1))
+    first = np.array([rows[found.group == p][0] for p in done.positions])
+    at = recording.joints[first, 0] / to_internal(unit)
+    places = (
+        AxisPlace(at=a, up_mm=up, down_mm=down, up_std_mm=up_std, down_std_mm=down_std)
+        for a, up, down, up_std, down_std in np.column_stack([at, done.means, done.spreads])[np.argsort(at)].tolist()
+    )
+    return Iso230(
+        poses=len(done.positions),
         A_mm=done.accuracy,
         E_mm=done.systematic,
         R_mm=done.repeatability,
         B_mm=done.reversal,
         M_mm=done.mean,
+        unit=unit,
+        places=tuple(places),
         note="wanted is what the calibrated model predicts at the joint commanded",
     )
 

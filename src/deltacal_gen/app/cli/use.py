@@ -26,7 +26,7 @@ from deltacal_gen.results.base import shown_in
 
 MOST_NAMES = 8  # of parameters in a line on the screen
 if TYPE_CHECKING:
-    from deltacal_gen.results.validation import Placed, Validation
+    from deltacal_gen.results.validation import Validation
     from deltacal_gen.results.written import FirmwareLines
 
 
@@ -200,12 +200,19 @@ def predict(
 
 
 def validate(
-    result: ResultFile, recording: RecordingFile, blocks: Blocks = False, decimal: Decimal = None, as_json: Json = False
+    result: ResultFile,
+    recording: RecordingFile,
+    report: Annotated[Path | None, typer.Option(help="a page to read, .html", show_default=False)] = None,
+    blocks: Blocks = False,
+    decimal: Decimal = None,
+    as_json: Json = False,
 ) -> None:
     """Hold a calibrated model against readings that it has not seen."""
     from deltacal_gen.app import commands
 
-    found = commands.validate_blocks(result, recording) if blocks else commands.validate(result, recording)
+    if blocks and report is not None:
+        raise UsageError("there is no page of a validation in blocks; leave --report or --blocks out.")
+    found = commands.validate_blocks(result, recording) if blocks else commands.validate(result, recording, report)
     if as_json:
         print_json(found)
         return
@@ -220,7 +227,7 @@ def _show_validation(found: Validation) -> None:
     if found.gross_errors:
         screen.print(f"points found wrongly in lines {', '.join(map(str, found.gross_errors))}: no figure counts them")
     for p in found.placed or ():
-        screen.print(_placed(p))
+        screen.print(p.sentence)
     if found.outside_law:
         screen.print(f"{found.outside_law} rows lie outside the range in which the law was found")
     for joint in found.never_seen:
@@ -236,22 +243,6 @@ def _show_validation(found: Validation) -> None:
             f"systematic E {axis.E_mm:.4f}, repeatability R {axis.R_mm:.4f}, reversal B {axis.B_mm:.4f}, "
             f"mean M {axis.M_mm:.4f}"
         )
-
-
-def _placed(p: Placed) -> str:
-    """Say of a set-up that it was placed by the readings, and what that means for the figures."""
-    if p.why == "unknown":
-        known = f"The result does not know the set-up '{p.setup}'"
-    else:
-        far = "" if p.shift_mm is None else f", {p.shift_mm:.1f} mm and {p.turn_deg:.2f} deg away"
-        known = (
-            f"The instrument (set-up '{p.setup}') stands elsewhere than the result knows it{far}; there these readings "
-            f"would be off by {number(p.rms_where_known_mm)} mm rms"
-        )
-    errors = "each error is of a pose that was left out of that"
-    if not p.left_out:
-        errors = "there are too few poses to leave some out, so that the errors flatter"
-    return f"{known}. It was placed by its {p.readings} readings ({p.unknowns} numbers); {errors}."
 
 
 def certificate(

@@ -320,19 +320,28 @@ def _moving(recording: object) -> Torque:
     return found
 
 
-def validate(result: Given, recording: AnyRecording) -> Validation:
+def validate(result: Given, recording: AnyRecording, report: Source | None = None) -> Validation:
     """Return the error of a calibrated model on readings it has not seen, against the noise.
 
-    Of a recording in motion the answer is a `results.motion.MotionValidation`.
+    `report` is one self-contained HTML page of the same. Of a recording in motion the answer is a
+    `results.motion.MotionValidation`, without a page.
     """
     from deltacal_gen.use import validation
 
+    check_output(report, result, recording, ending=(".html",))
     known = known_model(result)
     if isinstance(known, MotionModel):
+        if report is not None:
+            raise UsageError("there is no page of a validation in motion; leave report out.")
         return cast("Validation", _moving(recording).validate(known).replace(made=made(result, recording)))
     robot = validation.calibrated_robot(known)
     given = as_known(known, recording, robot)
-    return validation.validate(known, given).replace(made=made(result, recording, measured=given))
+    found = validation.validate(known, given).replace(made=made(result, recording, measured=given))
+    if report is not None:
+        from deltacal_gen.pages import validation as page
+
+        write_files({Path(report): page.page(found)})
+    return found
 
 
 def validate_blocks(result: Given, recording: Source) -> Validation:
