@@ -24,6 +24,7 @@ from deltacal_gen.estimation.prior import BROAD
 from deltacal_gen.estimation.problem import Problem, pose_problem
 from deltacal_gen.estimation.residuals import Repeats, rms
 from deltacal_gen.files.robot import Robot
+from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.machine.registry import load_mechanism, mechanism_of
 from deltacal_gen.machine.rotation import from_vector, to_vector
@@ -31,7 +32,7 @@ from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.parts import lacks
 from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.physics.terms import Term, beyond, blank, coefficients, load_effect
-from deltacal_gen.units import to_internal
+from deltacal_gen.units import DEG, to_internal
 from tests.benchmarks import concealed_machines as machines
 from tests.benchmarks.concealed_sessions import INSTRUMENT_ONLY, NEEDS, Session
 
@@ -51,6 +52,8 @@ OUTSIDE = {  # channel that tells best (the first) or also tells, and what the c
     "thermal_lag": (("time_s", "temp_C"), {"time", "cycling"}),
     "random_walk": (("time_s",), {"time"}),
 }
+SCALED = {"encoder": "sigma_deg", "board_image": "sigma_px"}  # kinds that read no lengths, and how their noise is said
+ON_READING = {"local_bump", "random_walk"}  # of positions
 ORDINARY = {"null": 40, "single": 3 * len(machines.shown("delta")), "pair": 20, "outside": 2 * len(OUTSIDE)}
 
 
@@ -86,19 +89,25 @@ def plan(
     only : sequence of str
         Names of effects to which singles and pairs are restricted; default all.
     machine : str
-        One of `concealed_machines.MACHINES`.
+        One of `concealed_machines.MACHINES`, with a blank and one of `INSTRUMENTS` behind it where one kind measures.
     """
     out = []
     for kind, count in counts.items():
         number = list(ORDINARY).index(kind)
         rng = np.random.default_rng([seed, number])
-        pool = list(OUTSIDE) if kind == "outside" else [n for n in machines.shown(machine) if not only or n in only]
+        pool = foreign(machine) if kind == "outside" else [n for n in machines.shown(machine) if not only or n in only]
         for i in range(count):
             names: tuple[str, ...] = () if kind == "null" else (pool[i % len(pool)],)
             if kind == "pair":
                 names = tuple(str(n) for n in rng.choice(pool, 2, replace=False))
             out.append((kind, names, (seed, number, i), machine))
     return [out[i] for i in np.random.default_rng(seed).permutation(len(out))]
+
+
+def foreign(machine: str) -> list[str]:
+    """Return what is outside the vocabulary: where no positions are read, what moves joints."""
+    _, kind = machines.parted(machine)
+    return [name for name in OUTSIDE if not kind or name not in ON_READING]
 
 
 @using(Backend.COMPILED)
@@ -225,6 +234,11 @@ class Foreign:
         )
 
 
+def source_errors(robot: Robot, recording: Recording) -> tuple[str, ...]:
+    """Return the parameters of a machine that readings may know: encoders know none."""
+    return () if kind_of(recording.kind).sees_joints else tuple(p.name for p in mechanism_of(robot).parameters)
+
+
 class Judge:
     """The linear problem without noise: what of a displacement geometry leaves, and what else would explain it.
 
@@ -233,7 +247,7 @@ class Judge:
 
     def __init__(self, robot: Robot, exact: Recording, errors: Mapping[str, float], sigma: float, turn: float) -> None:
         self.robot, mechanism = robot, mechanism_of(robot)
-        self.names = tuple(p.name for p in mechanism.parameters)
+        self.names = source_errors(robot, exact)
         self.errors = mechanism.vector(errors)
         self.problem = self._of(exact)
         self.instrument = self.problem.begin(self.errors)
@@ -252,7 +266,7 @@ class Judge:
 
     def departure(self, recording: Recording) -> Array:
         """Return what another recording of the same poses reads beyond this machine (R, k) [mm, rad]."""
-        off = self._of(recording).residual(self.errors, self.instrument, self.machine.x)
+        off = self._of(recording).residual(self.errors, self.instrument, self.problem.seen(self.machine))
         return np.nan_to_num(off)  # a planar machine reads not all coordinates
 
     def misfit(self, recording: Recording) -> float:
@@ -354,7 +368,7 @@ def _attempt(
     if held is None:
         return None
     exact = held.exact if by is simulate else held.make(poses, by=by)
-    noisy, traits = _noisy(exact, session.sigma, session.turn, rng)
+    noisy, traits = _noisy(exact, session.sigma, session.turn, rng, judge.instrument.scale)
     return Case(
         kind,
         names,
@@ -435,7 +449,10 @@ def _unplaced(term: Term, poses: Recording) -> bool:
     return _placed(term.effect) and "time_s" not in poses.channels
 
 
-def _noisy(exact: Recording, sigma: float, turn: float, rng: np.random.Generator) -> tuple[Recording, tuple[str, ...]]:
+def _noisy(
+    exact: Recording, sigma: float, turn: float, rng: np.random.Generator, scale: float = 1.0
+) -> tuple[Recording, tuple[str, ...]]:
+    """Return noisy readings and their traits; `scale` is what a unit of the reading is [mm], where it is no length."""
     values = readings(exact)
     noise, traits = rng.standard_normal(values.shape), []
     if rng.random() < 0.15:
@@ -445,7 +462,8 @@ def _noisy(exact: Recording, sigma: float, turn: float, rng: np.random.Generator
         bad = rng.choice(len(values), max(int(rng.uniform(0.01, 0.04) * len(values)), 1), replace=False)
         noise[bad] += rng.choice([-1, 1], (len(bad), values.shape[1])) * rng.uniform(10, 60, (len(bad), 1))
         traits.append("outliers")
-    sigmas = [sigma if column.endswith("_mm") else turn for column in exact.columns] or [sigma]
+    own = sigma / scale if exact.kind in SCALED else turn
+    sigmas = [sigma if column.endswith("_mm") else own for column in exact.columns] or [sigma]
     noisy = values + np.asarray(sigmas) * noise
     if exact.kind == "pose" and len(sigmas) == 6:
         turned = from_vector(turn * noise[:, 3:]) @ from_vector(values[:, 3:])
@@ -454,7 +472,8 @@ def _noisy(exact: Recording, sigma: float, turn: float, rng: np.random.Generator
         noisy = noisy - noisy[0]
     measurement = exact.measurement
     if rng.random() < 0.5:
-        measurement = dataclasses.replace(measurement, sigma_mm=sigma)
+        said = own / DEG if exact.kind == "encoder" else own if exact.kind in SCALED else sigma
+        measurement = dataclasses.replace(measurement, **{SCALED.get(exact.kind, "sigma_mm"): said})
         traits.append("declared")
     if exact.pair_measured is not None:
         return dataclasses.replace(exact, pair_measured=noisy[:, 0], measurement=measurement), tuple(traits)

@@ -31,7 +31,7 @@ from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.terms import Term, coefficients, kept_term
 from deltacal_gen.results.parts import MachineState
 from deltacal_gen.use.prediction import predict
-from tests.benchmarks.concealed_cases import ORDINARY, Array, Case, Judge, generate, readings
+from tests.benchmarks.concealed_cases import ORDINARY, Array, Case, Judge, generate, readings, source_errors
 
 CONVENTION = {"joint_axis_runout", "instrument_offset"}  # parameters that are equal up to the geometry
 WIDE = 3.0  # times the ideal fit's: a standard deviation may not hide an error behind more
@@ -53,9 +53,9 @@ class Oracle:
 
 def oracle(case: Case) -> Oracle:
     """Return what geometry and the true effects, fitted to the noisy recording, reach on the fresh readings."""
-    mechanism = mechanism_of(case.robot)
-    n = len(mechanism.parameters)
-    problem = pose_problem(case.robot, case.recording, [p.name for p in mechanism.parameters])
+    names = source_errors(case.robot, case.recording)
+    n = len(names)
+    problem = pose_problem(case.robot, case.recording, names)
     problem = dataclasses.replace(problem, scale=BROAD * problem.scale)
     first = rough(problem, must_converge=False)
     plain = fit(problem, Prior(), errors=first.errors, instrument=first.instrument)
@@ -79,7 +79,8 @@ def prediction_error(case: Case, predicted: Recording) -> float:
 
 def _as_result(case: Case, found: Fit) -> MachineState:
     errors, terms = found.problem.split(found.errors)
-    robot = dataclasses.replace(case.robot, errors=dict(zip(found.problem.names, map(float, errors), strict=True)))
+    names = [p.name for p in mechanism_of(case.robot).parameters]
+    robot = dataclasses.replace(case.robot, errors=dict(zip(names, map(float, errors), strict=True)))
     recording = case.recording
     instrument = found.instrument.kept(recording.setup_names, recording.measurement.zero)
     return MachineState(robot=kept_robot(robot), physics=tuple(map(kept_term, terms)), instrument=instrument)

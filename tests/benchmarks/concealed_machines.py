@@ -3,7 +3,9 @@
 The delta is drawn from sizes of its own; any other machine is the package's example of it in another size, with parts
 that are not quite as long. Parts weigh what their size suggests.
 
-Public: `MACHINES`, `EVERY`, `draw`, `ordinary_errors`, `joints_of_poses`, `kinds`, `shown`.
+A machine may be measured by one kind alone: ``"delta encoder"`` is a delta with encoders on its arms.
+
+Public: `MACHINES`, `INSTRUMENTS`, `EVERY`, `parted`, `draw`, `ordinary_errors`, `joints_of_poses`, `kinds`, `shown`.
 """
 
 from __future__ import annotations
@@ -16,10 +18,12 @@ import numpy as np
 
 from deltacal_gen.files.robot import Robot, read_robot, robot_from_dict, robot_to_dict
 from deltacal_gen.identification.accuracy import turned
+from deltacal_gen.instrument.kind import Kind
+from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.registry import Machine, mechanism_names, mechanism_of
 from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.channels import Channels
-from deltacal_gen.physics.terms import effect_names, load_effect
+from deltacal_gen.physics.terms import displaces_points, effect_names, load_effect
 from deltacal_gen.units import DEG
 from tests.drawn import example_of
 
@@ -34,12 +38,19 @@ MACHINES = (
     "robotennis",
     "serial",
 )
+INSTRUMENTS = ("encoder", "touched_board", "board_image")  # of which a machine's cases may be
 EVERY = (*MACHINES, *(name for name in mechanism_names() if name not in MACHINES))  # no case is drawn of the others
 TYPICAL = {"theta": 0.05 * DEG, "length": 0.1, "angle": 0.03 * DEG}  # of machined parts
 SMALL = 0.3  # of the typical errors of the other machines, which are those before any assembly
 SWING = 80 * DEG  # to which the joints of a chain are turned either way
 DRAWN = {"orders", "moments"}  # how constants are sought of which a case can be drawn
 DOWN = {2: (0.0, -9.81, 0.0), 3: (0.0, 0.0, -9.81)}  # by the number of axes: planar machines hang in their plane
+
+
+def parted(machine: str) -> tuple[str, str]:
+    """Return a machine, and the only kind it is measured by: "" where that is drawn."""
+    name, _, kind = machine.partition(" ")
+    return name, kind
 
 
 def draw(machine: str, rng: np.random.Generator) -> Robot:
@@ -104,8 +115,10 @@ def ordinary_errors(robot: Robot, rng: np.random.Generator) -> dict[str, float]:
     }
 
 
-def joints_of_poses(robot: Robot, n: int, tool: Array, rng: np.random.Generator) -> Array:
-    """Return joints (n, limbs) of poses on rings or anywhere in the workspace."""
+def joints_of_poses(robot: Robot, n: int, tool: Array, rng: np.random.Generator, flat: bool = False) -> Array:
+    """Return joints (n, limbs) of poses on rings or anywhere in the workspace, or `flat` in its upper plane."""
+    if flat and robot.workspace is not None:
+        robot = dataclasses.replace(robot, workspace=dataclasses.replace(robot.workspace, height=0.0))
     mechanism, rings = mechanism_of(robot), rng.random() < 0.5
     if robot.links:
         return np.asarray(SWING * rng.uniform(-1, 1, (n, mechanism.limbs)))
@@ -149,9 +162,10 @@ def kinds(mechanism: Machine) -> dict[str, float]:
 
 @functools.cache
 def shown(machine: str) -> tuple[str, ...]:
-    """Return the effects on parts that a machine has, and on what a tracker reads, whose constants can be drawn."""
-    robot = draw(machine, np.random.default_rng(0))
-    mechanism = mechanism_of(robot)
+    """Return the effects on parts of a machine, and on what its instrument reads, whose constants can be drawn."""
+    name, of = parted(machine)
+    robot = draw(name, np.random.default_rng(0))
+    mechanism, kind = mechanism_of(robot), kind_of(of or "position")
     nothing = Channels.from_columns({}, (1, mechanism.limbs), robot)
     body = Body(robot, mechanism, np.zeros((1, mechanism.limbs)), np.zeros((1, 3)), nothing)
     return tuple(
@@ -161,4 +175,14 @@ def shown(machine: str) -> tuple[str, ...]:
         and "height" not in load_effect(name).TARGETS
         and not ("turn" in load_effect(name).STATE and body.missing(name))
         and set(load_effect(name).SEARCHED) <= DRAWN
+        and (not of or _read(name, kind))
     )
+
+
+def _read(name: str, kind: Kind) -> bool:
+    """Tell whether an effect can show in readings of a kind, of one point."""
+    kernels = load_effect(name)
+    if kind.sees_joints:
+        return "joint" in kernels.TARGETS
+    on_reading = kernels.ACTS_ON == "reading"
+    return not displaces_points(kernels) and (not on_reading or bool({*kernels.TARGETS} & {*kind.targets}))

@@ -14,8 +14,9 @@ from typing import Any
 import numpy as np
 
 from deltacal_gen.files.robot import Robot
+from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.registry import mechanism_of
-from deltacal_gen.machine.values import Measurement, Recording
+from deltacal_gen.machine.values import Camera, Measurement, Recording
 from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.physics.terms import Term
 from deltacal_gen.units import DEG, file_unit, to_internal
@@ -45,6 +46,8 @@ SHARES = {  # of the recordings that have a channel or a trait
     "setups": 0.1,
 }
 INSTRUMENT_ONLY = {"instrument_drift"}  # not seen in lengths
+FEWER = 8  # times fewer poses than of other kinds: each image shows some dozen points
+LENS = Camera(fx_px=1500.0, fy_px=1490.0, cx_px=645.0, cy_px=505.0)
 OF_POSITIONS = {"position", "pose"}
 
 
@@ -67,24 +70,30 @@ class Session:
     @classmethod
     def draw(cls, kind: str, names: tuple[str, ...], must: set[str], rng: np.random.Generator, machine: str) -> Session:
         """Draw one; `must` are channels that it has to have."""
-        robot = machines.draw(machine, rng)
+        name, only = machines.parted(machine)
+        robot = machines.draw(name, rng)
         errors, mechanism = machines.ordinary_errors(robot, rng), mechanism_of(robot)
         sigma, turn = round(float(rng.uniform(0.005, 0.02)), 4), round(float(rng.uniform(0.002, 0.01)), 4) * DEG
         have = {channel for channel, share in SHARES.items() if rng.random() < share}
         have |= must
         have |= must
         measurement, base = _measurement(kind, names, machines.kinds(mechanism), rng)
+        if only:
+            measurement, base = Measurement(kind=only, camera=LENS if only == "board_image" else None), None
+            turn = sigma / kind_of(only).scale
         of = str(measurement.kind)
         have -= set() if of in OF_POSITIONS else {"setups"}
-        several = "instrument_offset" in names or rng.random() < 0.3
+        several = ("instrument_offset" in names or rng.random() < 0.3) and not only
         size = robot.geometry.get("platform_radius", (50.0,))[0]
         tools = np.round(rng.uniform(-1, 1, (int(rng.integers(2, 5)) if several else 1, 3)) * [size, size, 30], 3)
         tools[:, [axis not in mechanism.axes for axis in "xyz"]] = 0.0
         n = int(np.exp(rng.uniform(np.log(180 if of == "gauge" else 60), np.log(400))))
+        n = n // FEWER if of == "board_image" else n  # each shows many points
         start = float(rng.uniform(0, 60))
-        repeats = int(rng.choice([1, 1, 1, 2, 3])) if n > 120 else 1
+        repeats = int(rng.choice([1, 1, 1, 2, 3])) if n > 120 and of != "board_image" else 1
         poses = _poses(robot, measurement, n, repeats, tools, have, rng, start)
-        fresh = _poses(robot, measurement, 100, 1, tools, have, rng, 40.0 * n + 3600 * ("pause" in have))
+        after, count = 40.0 * n + 3600 * ("pause" in have), 100 // FEWER if of == "board_image" else 100
+        fresh = _poses(robot, measurement, count, 1, tools, have, rng, after)
         frame = int(rng.integers(2**32))
         traits = (*sorted(have), of, f"n={n}", f"repeats={repeats}", f"tools={len(tools)}")
         traits = (*traits, *(["incremental"] if measurement.zero == "incremental" else []), measurement.frame)
@@ -107,6 +116,8 @@ class Session:
         by: Callable[..., Recording] = simulate,
     ) -> Recording:
         """Return readings without noise, with effects, or with joints and positions `moved` by what is not one."""
+        if kind_of(at.kind).aims:
+            return self._of_board(at, terms, moved, by)
         joints = at.joints if moved is None else at.joints + moved[0]
         mounted = at.measurement
         if self.base is not None:
@@ -120,6 +131,27 @@ class Session:
         return dataclasses.replace(
             done, joints=at.joints, channels=at.channels, measurement=at.measurement, measured=measured
         )
+
+    def _of_board(
+        self, at: Recording, terms: Sequence[Term], moved: tuple[Array, Array] | None, by: Callable[..., Recording]
+    ) -> Recording:
+        """Return readings of a board that lies where all poses have it, those of the recording and the fresh ones."""
+        both = _joined(self.poses, self.fresh)
+        own = np.arange(self.poses.n_rows) if at is self.poses else self.poses.n_rows + np.arange(self.fresh.n_rows)
+        joints = both.joints.copy()
+        joints[own] += 0.0 if moved is None else moved[0]
+        real = dataclasses.replace(both, joints=joints)
+        done = by(self.robot, real, self.errors, terms=terms, rng=np.random.default_rng(self.frame))
+        return dataclasses.replace(done.subset(own), joints=at.joints, channels=at.channels, pose=at.pose, line=at.line)
+
+
+def _joined(first: Recording, second: Recording) -> Recording:
+    """Return a recording with the rows of another behind its own, poses told apart."""
+    rows = {name: np.concatenate([getattr(first, name), getattr(second, name)]) for name in ("joints", "line", "setup")}
+    pose = np.concatenate([first.pose, np.char.add("fresh ", second.pose)])
+    channels = {name: np.concatenate([values, second.channels[name]]) for name, values in first.channels.items()}
+    blank = np.zeros((len(pose), first.measured.shape[1]))
+    return dataclasses.replace(first, **rows, pose=pose, channels=channels, measured=blank)
 
 
 def _channels(n: int, have: set[str], robot: Robot, rng: np.random.Generator, start: float) -> dict[str, Array]:
@@ -173,7 +205,8 @@ def _poses(
     kind = str(measurement.kind)
     single = -(-n // repeats)
     tool = tools[rng.integers(len(tools), size=single)]
-    theta, mechanism = machines.joints_of_poses(robot, single, tool, rng), mechanism_of(robot)
+    mechanism, reads = mechanism_of(robot), kind_of(kind)
+    theta = machines.joints_of_poses(robot, single, tool, rng, flat=reads.aims == "touch")
     which = np.tile(np.arange(single), repeats)[:n]
     if rng.random() < 0.6:
         which = rng.permutation(which)
@@ -188,13 +221,13 @@ def _poses(
     columns = {"distance": (), "gauge": ("gauge_mm",), "position": at, "pose": turned}
     unit = to_internal(mechanism.joint_unit)
     setups = 2 if "setups" in have else 1
-    return Recording(
+    made = Recording(
         path=Path("recording.csv"),
         kind=kind,
         measurement=measurement,
         joint_unit=mechanism.joint_unit,
         joints=np.round(theta[which] / unit, 2 if "round" in have else 6) * unit,
-        columns=columns[kind],
+        columns=columns[kind] if kind in columns else reads.columns(mechanism),
         measured=np.zeros((n, 0)),
         pose=np.array([str(i) for i in range(n)] if kind == "distance" else [str(i + 1) for i in which]),
         line=np.arange(n) + 2,
@@ -206,6 +239,10 @@ def _poses(
         pair_measured=None if pairs is None else np.zeros(len(pairs)),
         pair_line=None if pairs is None else np.arange(len(pairs)) + 2,
     )
+    if not reads.aims:
+        return made
+    x = mechanism.forward(made.joints, robot.tool, mechanism.rows(robot))[0]
+    return reads.laid_out(made, x, mechanism)
 
 
 def _measurement(

@@ -10,6 +10,7 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 from tests.benchmarks.concealed_cases import OUTSIDE, generate, plan, readings
+from tests.benchmarks.concealed_machines import INSTRUMENTS, shown
 
 
 @pytest.mark.parametrize(
@@ -26,6 +27,19 @@ def test_a_case_is_drawn_from_its_seed(kind: str, names: tuple[str, ...]) -> Non
     channels = [c for name, c in first.recording.channels.items() if not name.startswith("true_")]
     assert len(channels) == len(first.recording.channels)
     assert all(np.isfinite(c).all() for c in channels)
+
+
+@pytest.mark.parametrize("of", INSTRUMENTS)
+def test_boards_and_encoders_conceal_effects(of: str) -> None:
+    case, again = (generate("single", ("backlash",), (3, 1, 0), f"delta {of}") for _ in range(2))
+    assert case.exact.kind == of
+    assert case.recording.measured.tolist() == again.recording.measured.tolist()
+    assert case.excess > 1.4
+    assert case.fresh.measured.shape[1] == case.exact.measured.shape[1]
+    noise = (case.recording.measured - case.exact.measured) / {"touched_board": case.sigma}.get(of, 1.0)
+    assert np.median(np.abs(noise[np.abs(noise) > 0])) < 5.0
+    assert "tool_slip" in shown(f"delta {of}") or of == "encoder"
+    assert {"instrument_drift", "effector_tilt"} & set(shown("delta encoder")) == set()
 
 
 def test_every_kind_has_its_share() -> None:
