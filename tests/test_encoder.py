@@ -307,6 +307,51 @@ def test_joints_are_planned_from_both_sides(run: Run, tmp_path: Path) -> None:
     assert "cycles are of one axis" in run("plan", file, "--kind", "encoder", "--cycles", 3)[2]
 
 
+def stepped(seed: int) -> tuple[Recording, Array]:
+    """Return runs of a pick and place at 10 Hz, which waits at home before and after, and its speeds [deg/s]."""
+    rng, time, home, joints = np.random.default_rng(seed), 0.1 * np.arange(110), np.full(3, -15.0), list[Array]()
+    for _ in range(8):
+        at, places = [0.0, 3.0], [home, home]
+        while at[-1] < 7.5:
+            place, speed = rng.uniform(-30.0, 65.0, 3), rng.uniform(45.0, 85.0)
+            at.append(at[-1] + max(float(np.abs(place - places[-1]).max()) / speed, 0.1))
+            places.append(place)
+        at, places = [*at, at[-1] + 1.0, 20.0], [*places, home, home]
+        joints.append(np.column_stack([np.interp(time, at, own) for own in np.transpose(places)]))
+    made, rows = motion(robot_from_dict(UNDRAWN)).subset(np.arange(8 * len(time)) % 10), 8 * len(time)
+    made = dataclasses.replace(
+        made,
+        measurement=Measurement(kind="encoder"),
+        joints=np.round(np.vstack(joints) / 0.1125) * 0.1125 * DEG,
+        pose=np.arange(rows).astype(str),
+        line=np.arange(rows) + 2,
+        channels={"time_s": np.tile(time, 8), "run": np.repeat(np.arange(8.0), len(time))},
+    )
+    speeds = motion_of(made)
+    return made, np.column_stack([speeds[f"qd{i}_deg_s"] for i in (1, 2, 3)])
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("seed", [0, 3, 4])
+def test_what_drags_while_it_moves_hides_no_delay_and_is_no_play(robot: Robot, seed: int) -> None:
+    """Arms that lag by what hardly grows with their speed and come back where they stop: no effect is that.
+
+    Of the rows at home those that only pass it were repeats of the waits there: play was named for it, or nothing.
+    """
+    made, speed = stepped(seed)
+    late = blank("latency", ()).with_values(np.array([0.006]))
+    turns = blank("transmission_eccentricity", (1, 2), (1.0,)).with_values(np.array([3.0, -1.5, -3.0, 0.5]) * DEG)
+    rng = np.random.default_rng(seed + 100)
+    read_ = simulate(robot, made, noise_mm=100 * NOISE * DEG, rng=rng, terms=(late, turns)).measured
+    uneven = np.repeat(rng.uniform(0.7, 1.3, (8, 3)), len(speed) // 8, axis=0)
+    dragged = read_ - 0.35 * DEG * np.tanh(speed / 8) * np.array([1.0, 0.8, 0.6]) * uneven
+    count = 360 / 4096 * DEG
+    found = diagnose(robot, dataclasses.replace(made, measured=np.round(dragged / count) * count)).answer()
+    effects = {e.name: e for e in found.effects}
+    assert effects.keys() == {"latency", "transmission_eccentricity"}
+    assert effects["latency"].parameters[0].value == pytest.approx(0.006, rel=0.1)
+
+
 @pytest.mark.parametrize(("name", "zeros"), [("delta", 3), ("complete_delta", 3), ("diamond", 2)])
 def test_the_scale_of_truth_ranks_encoders(name: str, zeros: int) -> None:
     """Of a joint whose encoder's zero is known its own is seen, also where two errors together are it; else nothing."""

@@ -193,6 +193,8 @@ def _ruled_out(case: Case, named: Mapping[str, Any]) -> list[Any]:
     for i, term in enumerate(case.terms):
         for rival in named[term.effect]["indistinguishable_from"]:
             judge = judge or Judge(case.robot, case.exact, case.errors, case.sigma, case.turn_sigma)
+            if judge.problem.body.missing(rival):
+                continue  # what was not recorded is ruled out by nothing
             if (loss := judge.loss(case.exact, case.terms, i, rival)) > RULED_OUT:
                 out.append([rival, round(loss)])
     return out
