@@ -46,7 +46,7 @@ SHARES = {  # of the recordings that have a channel or a trait
     "setups": 0.1,
 }
 INSTRUMENT_ONLY = {"instrument_drift"}  # not seen in lengths
-FEWER = 8  # times fewer poses than of other kinds: each image shows some dozen points
+FEWER, IMAGES = 6, 30  # times fewer poses than of other kinds: each image shows some dozen points; at least so many
 LENS = Camera(fx_px=1500.0, fy_px=1490.0, cx_px=645.0, cy_px=505.0)
 OF_POSITIONS = {"position", "pose"}
 
@@ -88,7 +88,7 @@ class Session:
         tools = np.round(rng.uniform(-1, 1, (int(rng.integers(2, 5)) if several else 1, 3)) * [size, size, 30], 3)
         tools[:, [axis not in mechanism.axes for axis in "xyz"]] = 0.0
         n = int(np.exp(rng.uniform(np.log(180 if of == "gauge" else 60), np.log(400))))
-        n = n // FEWER if of == "board_image" else n  # each shows many points
+        n = max(n // FEWER, IMAGES) if of == "board_image" else n
         start = float(rng.uniform(0, 60))
         repeats = int(rng.choice([1, 1, 1, 2, 3])) if n > 120 and of != "board_image" else 1
         poses = _poses(robot, measurement, n, repeats, tools, have, rng, start)
