@@ -15,6 +15,7 @@ from tests.every_effect import ARM
 from tests.test_dynamics import bodies
 
 LINKS = ARM[:3]
+BODIED = [link | {"mass": 3.0, "com": [40.0, -20.0, 30.0], "inertia": [2e4, 3e4, 4e4, 1e3, 2e3, 3e3]} for link in LINKS]
 HEAD = {"robot": {"name": "arm", "mechanism": "serial"}}
 DEG = np.pi / 180
 NOISE = 0.05  # Nm
@@ -26,16 +27,21 @@ def robot(links: list[dict[str, Any]] = LINKS) -> Any:
     return robot_from_dict(HEAD | {"joint": [dict(link) for link in links]})
 
 
-def trajectory(seconds: float, seed: int, joints: int = 3, late: float = 0.0) -> np.ndarray:
-    """Return joints, velocities, accelerations (3, N, n) of sums of waves [rad], at 100 Hz, `late` seconds earlier."""
-    rng, t = np.random.default_rng(seed), np.arange(0, seconds, STEP)
+def waves(t: np.ndarray, seed: int, joints: int = 3) -> np.ndarray:
+    """Return joints, velocities, accelerations (3, N, n) of sums of waves [rad] at times (N,)."""
+    rng = np.random.default_rng(seed)
     out = np.zeros((3, len(t), joints))
     for j in range(joints):
         for w in 2 * np.pi * np.array([0.1, 0.23, 0.41, 0.6]):
             a, phase = rng.uniform(0.2, 0.5) / (1 + w), rng.uniform(0, 6)
-            angle = w * (t - late) + phase
+            angle = w * t + phase
             out[:, :, j] += a * np.array([np.sin(angle), w * np.cos(angle), -(w**2) * np.sin(angle)])
     return out
+
+
+def trajectory(seconds: float, seed: int, joints: int = 3, late: float = 0.0) -> np.ndarray:
+    """Return the same at 100 Hz, `late` seconds earlier."""
+    return waves(np.arange(0, seconds, STEP) - late, seed, joints)
 
 
 Friction = Callable[[np.ndarray, np.ndarray], np.ndarray]  # of states (3, N, n) and the rigid torque (N, n) [Nm]
@@ -83,10 +89,7 @@ def carried(folder: Path, truth: str, friction: bool = True) -> Path:
     path = folder / "trajectory.csv"
     path.write_text("\n".join(",".join(row) for row in rows) + "\n")
     path.with_suffix(".toml").write_text('[measurement]\nkind = "torque"\n')
-    bodied = [
-        link | {"mass": 3.0, "com": [40.0, -20.0, 30.0], "inertia": [2e4, 3e4, 4e4, 1e3, 2e3, 3e3]} for link in LINKS
-    ]
-    (folder / "robot.toml").write_text(robot_to_toml(robot(bodied)))
+    (folder / "robot.toml").write_text(robot_to_toml(robot(BODIED)))
     (folder / "truth.toml").write_text(truth)
     made = folder / "made.csv"
     dc.simulate(folder / "robot.toml", path, made, truth=folder / "truth.toml", noise=NOISE, seed=3)

@@ -15,13 +15,12 @@ from deltacal_gen.files.robot import read_robot
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.motion import fit as fits_of_joints
 from deltacal_gen.motion import identification, joint, regression, unexplained
-from deltacal_gen.motion.derivatives import Motion
 from deltacal_gen.motion.fit import Fit, climbed, fitted
 from deltacal_gen.motion.ladder import Ladder
 from deltacal_gen.motion.library import Rung
 from deltacal_gen.motion.rigid import Rigid
 from deltacal_gen.motion.session import Session
-from deltacal_gen.motion.trajectories import read, read_sidecar
+from deltacal_gen.motion.trajectories import Motion, read, read_sidecar
 from tests.motion_recordings import usual, written
 
 SAMPLES, FOLDS = 4000, 4

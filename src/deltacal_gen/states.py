@@ -152,6 +152,7 @@ STATES: dict[str, State] = {name: State(name=name, base=name, **row) for name, r
 CHANNELS = tuple(s for s in STATES.values() if s.kind == "channel" and not s.by)  # what a recording may say
 RECORDED = tuple({s.column: s for s in CHANNELS[::-1]}.values())[::-1]  # the same, one for each column
 JOINTS, SPEEDS, ACCELERATIONS, APPROACH = (STATES[name].column for name in ("q", "qd", "qdd", "approach"))
+CLOCK = {"clock_offset": "s", "clock_rate": "1"}  # what is found of an instrument's own clock, with its unit
 TEMPERATURE, PAYLOAD, TIME = (STATES[name].column for name in ("temperature", "payload", "time"))
 
 

@@ -20,6 +20,7 @@ def _lens(value: object, check: ValidatorFunctionWrapHandler) -> Any:
 
 
 Lens = Annotated[Number, WrapValidator(_lens)]
+Clocks = Literal["own", "own, same rate", "own, same for all runs"]  # and what of it is alike in all runs
 LENS = ("fx_px", "fy_px", "cx_px", "cy_px", "k1", "k2", "p1", "p2", "k3")
 
 
@@ -83,7 +84,7 @@ class _Measurement(Table):
     platform_point_mm: Vector | None = None
     camera: CameraTable | None = None
     board_scale: Literal["known", "unknown"] = "known"
-    clock: Literal["own", "own, same rate", "own, same for all runs"] | None = None
+    clock: Clocks | None = None
     clock_offset_s: Number | None = None
 
 

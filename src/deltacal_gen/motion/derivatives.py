@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from deltacal_gen.errors import InputError
-from deltacal_gen.motion.trajectories import Trajectories
+from deltacal_gen.motion.trajectories import Motion, Trajectories
 from deltacal_gen.physics import splines
 from deltacal_gen.physics.splines import DEGREE, Samples
 from deltacal_gen.states import TIME
@@ -22,42 +21,16 @@ SLOWEST = 1.0  # s between samples of which derivatives are made: it is mostly a
 LOOSE = 2.0  # knots: nearer to an end, the noise of an acceleration is up to fifty times that in the middle
 
 
-@dataclass(frozen=True, eq=False)
-class Motion:
-    """Joints with their derivatives.
-
-    Attributes
-    ----------
-    states : (3, N, n_q) array
-        Joints, velocities, accelerations [rad or mm, s]; nan in pieces that are too short.
-    noise : (2, n_q) array
-        Standard deviation of velocities and accelerations, as far as the joints' own noise goes.
-    loose : (N,) array of bool
-        Samples near the ends of a piece, where derivatives are known worse: no fit uses them.
-    cutoff : float or None
-        Of the low-pass [Hz]; None where derivatives were recorded.
-    removed : float
-        Part of the joints' signal (rms, of its own variation) that the low-pass takes away.
-    text : str
-        What was done.
-    """
-
-    states: Array
-    noise: Array
-    loose: np.ndarray
-    cutoff: float | None
-    removed: float
-    text: str
-
-
 def motion(given: Trajectories, cutoff: float | None = None) -> Motion:
-    """Return joints with their derivatives; `cutoff` [Hz] where it is known already.
+    """Return joints with their derivatives, where these are not known yet; `cutoff` [Hz] where it is.
 
     Raises
     ------
     InputError
         Samples lie so far apart that no motion is seen between them.
     """
+    if given.moved is not None:
+        return given.moved
     said = given.said.motion.derivatives
     if said == "recorded":
         states = np.stack([given.joints, *given.recorded])

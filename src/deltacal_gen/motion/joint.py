@@ -11,10 +11,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from deltacal_gen.machine.values import Robot
-from deltacal_gen.motion.derivatives import Motion
 from deltacal_gen.motion.library import LOAD, Rung, of_joint, rungs
 from deltacal_gen.motion.regression import BETWEEN, Bench, folds_of, together
-from deltacal_gen.motion.trajectories import Readout, Trajectories
+from deltacal_gen.motion.trajectories import Motion, Readout, Trajectories
 from deltacal_gen.physics.splines import Samples, smooth
 from deltacal_gen.units import of_joints
 

@@ -5,11 +5,12 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
+from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 
 from deltacal_gen.errors import InputError
-from deltacal_gen.files.columns import JOINT, Columns
+from deltacal_gen.files.columns import JOINT, Columns, instrument_path
 from deltacal_gen.files.dialect import LOOKED_AT
 from deltacal_gen.files.robot import robot_of
 from deltacal_gen.files.rows import csv_blocks
@@ -19,10 +20,14 @@ from deltacal_gen.motion import trajectories
 from deltacal_gen.motion.trajectories import Sidecar, Trajectories
 from deltacal_gen.physics.law import is_law
 from deltacal_gen.physics.terms import drive_effect_names, load_effect
-from deltacal_gen.results.motion import MotionDiagnosis, MotionModel, MotionResult, MotionValidation
+from deltacal_gen.results.motion import InertialParameter, MotionDiagnosis, MotionModel, MotionResult, MotionValidation
 from deltacal_gen.results.reader import TORQUE
 from deltacal_gen.states import TIME
 from deltacal_gen.units import joint_factors, joint_names
+
+if TYPE_CHECKING:
+    from deltacal_gen.motion.alignment import Alignment
+    from deltacal_gen.motion.clocks import DriveClocks
 
 
 class Torque:
@@ -39,36 +44,73 @@ class Torque:
         self._path, self._sidecar = path, sidecar
 
     def read(self, robot: Robot, *, need_measured: bool = True) -> Trajectories:
-        """Return the recording; raises InputError."""
-        machine = mechanism_of(robot)
-        found = trajectories.read(self._path, machine, self._sidecar, need_measured=need_measured)
-        constants = None if robot.transmission is None else robot.transmission.torque_constant_Nm_A
-        if constants is not None and len(constants) != machine.limbs:
+        """Return the recording, of one clock; raises InputError."""
+        if self._sidecar.measurement.clock is not None:
             raise InputError(
-                f"torque_constant_Nm_A has {len(constants)} numbers, and the machine {machine.limbs} joints.",
-                "Give one for each joint.",
-                file=robot.source,
+                "the sidecar says that drives are read on a clock of their own: here one clock is needed.",
+                "Leave clock out.",
+                file=self._path.with_suffix(".toml"),
             )
-        return dataclasses.replace(found, constants=constants)
+        found = trajectories.read(self._path, mechanism_of(robot), self._sidecar, need_measured=need_measured)
+        return dataclasses.replace(found, constants=_constants(robot))
+
+    def _clocks(self, robot: Robot, *, need_measured: bool = True, cutoff: float | None = None) -> DriveClocks | None:
+        """Return the recording if it has two clocks, low-pass of its joints as it is known [Hz]; raises InputError."""
+        from deltacal_gen.motion.clocks import drive_clocks
+
+        if self._sidecar.measurement.clock is None:
+            return None
+        machine, said = mechanism_of(robot), self._sidecar
+        found = drive_clocks(self._path, machine, said, need_measured=need_measured, cutoff=cutoff)
+        readings = dataclasses.replace(found.readings, constants=_constants(robot))
+        return dataclasses.replace(found, readings=readings)
+
+    def _as_known(self, known: MotionModel, *, need_measured: bool) -> Trajectories:
+        """Return the recording, two clocks as a result knows them."""
+        robot = robot_of(known.robot)
+        both = self._clocks(robot, need_measured=need_measured, cutoff=known.motion.cutoff_Hz)
+        if both is None:
+            return self.read(robot, need_measured=need_measured)
+        return both.at(both.known_clock(known.parameters), need_joints=not need_measured)
 
     def identify(self, robot: Robot, model: str | None) -> MotionResult:
         """Identify the rigid machine."""
         from deltacal_gen.motion.identification import identify
+        from deltacal_gen.motion.timing import aligned
 
-        return identify(robot, self.read(robot), model)
+        if (both := self._clocks(robot)) is None:
+            return identify(robot, self.read(robot), model)
+        clock = aligned(robot, both)
+        return _with_clock(identify(robot, both.at(clock.clock), model), clock)
 
     def diagnose(self, robot: Robot, progress: Callable[[str], None]) -> MotionDiagnosis:
-        """Find what each drive has beside the rigid machine."""
-        from deltacal_gen.motion.diagnosis import diagnose
+        """Find what each drive has beside the rigid machine.
 
-        return diagnose(robot, self.read(robot), progress)
+        Once more where what was found moves two clocks by more than was known of them.
+        """
+        from deltacal_gen.motion.diagnosis import diagnose
+        from deltacal_gen.motion.timing import aligned, beside_of
+
+        if (both := self._clocks(robot)) is None:
+            return diagnose(robot, self.read(robot), progress)
+        first = aligned(robot, both, progress=progress)
+        found = diagnose(robot, both.at(first.clock), progress)
+        clock = aligned(robot, both, beside_of(found), start=first.clock, progress=progress)
+        if clock.moved_since(first) > 1.0:
+            found = diagnose(robot, both.at(clock.clock), progress)
+        return _with_clock(found, clock)
 
     def simulate(self, robot: Robot, truth: str | Path | None, noise: float, seed: int) -> Trajectories:
         """Return the recording with what the drives of the robot file's bodies, and of a truth, give."""
         from deltacal_gen.motion.rigid import Rigid
         from deltacal_gen.motion.simulation import Truth, read_truth, simulated
+        from deltacal_gen.physics.simulation import truth_clock
 
-        given = self.read(robot, need_measured=False)
+        both = self._clocks(robot, need_measured=False)
+        if both is None:
+            given = self.read(robot, need_measured=False)
+        else:
+            given = both.at(both.simulated({} if truth is None else truth_clock(truth)))
         told = Truth() if truth is None else read_truth(truth, Rigid(robot))
         return simulated(robot, given, told, noise, np.random.default_rng(seed))
 
@@ -76,13 +118,35 @@ class Torque:
         """Return the recording with the readings that a model predicts, and their bands where these are asked for."""
         from deltacal_gen.motion.prediction import predicted
 
-        return predicted(known, self.read(robot_of(known.robot), need_measured=False), bands=bands)
+        return predicted(known, self._as_known(known, need_measured=False), bands=bands)
 
     def validate(self, known: MotionResult | MotionDiagnosis) -> MotionValidation:
         """Return how far off a model is on the recording."""
         from deltacal_gen.motion.prediction import validated
 
-        return validated(known, self.read(robot_of(known.robot)))
+        return validated(known, self._as_known(known, need_measured=True))
+
+
+InMotion = TypeVar("InMotion", MotionResult, MotionDiagnosis)
+
+
+def _constants(robot: Robot) -> tuple[float, ...] | None:
+    """Return what each joint gets of an ampere, as far as the robot file says it; raises InputError."""
+    constants = None if robot.transmission is None else robot.transmission.torque_constant_Nm_A
+    limbs = mechanism_of(robot).limbs
+    if constants is not None and len(constants) != limbs:
+        raise InputError(
+            f"torque_constant_Nm_A has {len(constants)} numbers, and the machine {limbs} joints.",
+            "Give one for each joint.",
+            file=robot.source,
+        )
+    return constants
+
+
+def _with_clock(found: InMotion, clock: Alignment) -> InMotion:
+    """Return an answer that tells how two clocks stand."""
+    own: tuple[InertialParameter, ...] = tuple(InertialParameter(**dict(p.written())) for p in clock.parameters)
+    return found.replace(parameters=(*found.parameters, *own))
 
 
 KINDS: Mapping[str, type[Torque]] = {TORQUE: Torque}
@@ -107,12 +171,13 @@ def in_motion(recording: object) -> Torque | None:
 def is_recording(path: Path) -> bool:
     """Tell whether a table is in motion as its sidecar says, and holds joints and what drives give; values unjudged."""
     try:
-        if trajectories.read_sidecar(path) is None:
+        if (said := trajectories.read_sidecar(path)) is None:
             return False
         names = next(csv_blocks(path, LOOKED_AT)).columns
+        beside = names if said.measurement.clock is None else next(csv_blocks(instrument_path(path), LOOKED_AT)).columns
     except InputError:
         return False
-    return any(JOINT.fullmatch(n) for n in names) and any(trajectories.READ.fullmatch(n) for n in names)
+    return any(JOINT.fullmatch(n) for n in names) and any(trajectories.READ.fullmatch(n) for n in beside)
 
 
 def flaws(known: MotionModel) -> Iterator[tuple[str, str]]:
@@ -145,13 +210,13 @@ def flaws(known: MotionModel) -> Iterator[tuple[str, str]]:
                 yield f"joints[{k}]", f"{term.effect} needs {wanted[0]} values and {wanted[1]} constants"
 
 
-def columns_of(done: Trajectories) -> Columns:
-    """Return a recording in motion as columns of a file."""
+def columns_of(done: Trajectories, *, joints: bool = True) -> Columns:
+    """Return a recording in motion as columns of a file, with its joints or, of two clocks, without."""
     from deltacal_gen.motion.bands import ends
 
     limbs = done.joints.shape[1]
     factors = joint_factors(done.joint_unit, limbs)
-    joints = zip(joint_names(done.joint_unit, limbs), (done.joints / factors).T, strict=True)
+    stand = zip(joint_names(done.joint_unit, limbs), (done.joints / factors).T, strict=True) if joints else ()
     runs = {} if done.run_names == ("1",) else {"run": [done.run_names[code] for code in done.run]}
     readings = dict(zip(done.columns, done.readings.T, strict=True))
-    return {**runs, TIME: done.time, **dict(joints), **done.channels, **readings, **ends(done)}
+    return {**runs, TIME: done.time, **dict(stand), **done.channels, **readings, **ends(done)}

@@ -14,13 +14,13 @@ from deltacal_gen.files.robot import kept_robot
 from deltacal_gen.machine.dynamics import torque_by_errors
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.bands import uncertainty_of
-from deltacal_gen.motion.derivatives import Motion, motion
+from deltacal_gen.motion.derivatives import motion
 from deltacal_gen.motion.fit import Fit
-from deltacal_gen.motion.joint import Joint, series_of
+from deltacal_gen.motion.joint import Joint, Series, series_of
 from deltacal_gen.motion.payload import PayloadError, payload_error, torque_of
 from deltacal_gen.motion.regression import GAP, LEAST_RUNS, STRETCH
 from deltacal_gen.motion.rigid import Rigid
-from deltacal_gen.motion.trajectories import Trajectories
+from deltacal_gen.motion.trajectories import Motion, Trajectories
 from deltacal_gen.results.diagnosis import NextMeasurement
 from deltacal_gen.results.motion import (
     Derivatives,
@@ -71,7 +71,7 @@ class Session:
     def of(cls, robot: Robot, given: Trajectories) -> Session:
         """Return a recording made ready, all bodies of the machine unknown."""
         rigid, found = Rigid(robot), motion(given)
-        return cls(robot, given, found, rigid, _joints(robot, given, found, rigid))
+        return cls(robot, given, found, rigid, [each.at() for each in series(robot, given, found, rigid)])
 
     def stated(self, payload: PayloadError | None = None) -> Session | None:
         """Return the same with what the robot file states of the machine's bodies, and a payload, as known.
@@ -82,8 +82,8 @@ class Session:
         if not known.any() or not all(read.forces for read in self.given.readouts):
             return None
         rigid = Rigid(self.robot, stated=True)
-        joints = _joints(self.robot, self.given, self.motion, rigid, payload)
-        return dataclasses.replace(self, rigid=rigid, joints=joints, payload=payload)
+        every = series(self.robot, self.given, self.motion, rigid, payload)
+        return dataclasses.replace(self, rigid=rigid, joints=[each.at() for each in every], payload=payload)
 
     def payload_by(self, fits: Sequence[Fit]) -> PayloadError | None:
         """Return the payload by which all drives together leave least beside each joint's own rungs, if one could."""
@@ -289,16 +289,15 @@ class Session:
         )
 
 
-def _joints(
+def series(
     robot: Robot, given: Trajectories, found: Motion, rigid: Rigid, payload: PayloadError | None = None
-) -> list[Joint]:
-    """Return the joints of a recording, beside what is known of the machine and its payload."""
+) -> list[Series]:
+    """Return all samples of each joint of a recording, beside what is known of the machine and its payload."""
     states = np.nan_to_num(found.states)
     known = rigid.torque(states, rigid.known)
     if payload is not None:
         known = known + torque_of(rigid, states, given, payload.setups, payload.values)
-    series = series_of(robot, given, found, rigid.columns(states), rigid.of_payload(states), known)
-    return [each.at() for each in series]
+    return series_of(robot, given, found, rigid.columns(states), rigid.of_payload(states), known)
 
 
 def untold(session: Session, fits: Sequence[Fit]) -> tuple[list[int], list[int]]:

@@ -23,6 +23,7 @@ from deltacal_gen.motion.payload import NAMES, PAYLOAD, torque_of
 from deltacal_gen.motion.rigid import Rigid
 from deltacal_gen.motion.trajectories import Trajectories
 from deltacal_gen.physics.terms import coefficients, drive_effect_names, load_effect
+from deltacal_gen.states import CLOCK
 from deltacal_gen.units import of_sliding
 
 if TYPE_CHECKING:
@@ -62,7 +63,8 @@ def read_truth(path: str | Path, rigid: Rigid) -> Truth:
     """Read a TRUTH.toml of a machine in motion; raises InputError."""
     file = TomlFile.read(path)
     said = file.check(_File)
-    for name in said.parameters:
+    own = {name: value for name, value in said.parameters.items() if name not in CLOCK}
+    for name in own:
         if name not in rigid.names:
             near = nearest(name, rigid.names)
             hint = f"Did you mean '{near}'?" if near else "They are m_i, mx_i, ixx_i ... of link i."
@@ -76,7 +78,7 @@ def read_truth(path: str | Path, rigid: Rigid) -> Truth:
     acting = [
         found for table in tables for own in _by_way(file, table, rigid, dry) for found in _effects(file, own, rigid)
     ]
-    return Truth(said.parameters, tuple(acting), delays, tuple(_payload(file, table) for table in carried))
+    return Truth(own, tuple(acting), delays, tuple(_payload(file, table) for table in carried))
 
 
 def _is_number(value: object) -> TypeGuard[float]:

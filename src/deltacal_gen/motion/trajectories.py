@@ -16,8 +16,8 @@ import numpy as np
 
 from deltacal_gen.errors import InputError
 from deltacal_gen.files.rows import Rows, number_of, read_table
-from deltacal_gen.files.sidecar import Noise
-from deltacal_gen.files.toml import Table, TomlFile
+from deltacal_gen.files.sidecar import Clocks, Noise
+from deltacal_gen.files.toml import Number, Table, TomlFile
 from deltacal_gen.physics.splines import ordinary_step, pieces_of
 from deltacal_gen.results.reader import KINDS_IN_MOTION
 from deltacal_gen.states import ACCELERATIONS, PAYLOAD, SPEEDS, STATES, TIME
@@ -40,6 +40,8 @@ class _Measurement(Table):
     sigma_N: Noise | None = None
     sigma_A: Noise | None = None
     sigma_1: Noise | None = None
+    clock: Clocks | None = None
+    clock_offset_s: Number | None = None
     instrument: str | None = None
     operator: str | None = None
 
@@ -92,6 +94,34 @@ def readouts_of(joint_unit: str, units: Sequence[str], constants: Sequence[float
 
 
 @dataclass(frozen=True, eq=False)
+class Motion:
+    """Joints with their derivatives.
+
+    Attributes
+    ----------
+    states : (3, N, n_q) array
+        Joints, velocities, accelerations [rad or mm, s]; nan in pieces that are too short.
+    noise : (2, n_q) array
+        Standard deviation of velocities and accelerations, as far as the joints' own noise goes.
+    loose : (N,) array of bool
+        Samples near the ends of a piece, where derivatives are known worse: no fit uses them.
+    cutoff : float or None
+        Of the low-pass [Hz]; None where derivatives were recorded.
+    removed : float
+        Part of the joints' signal (rms, of its own variation) that the low-pass takes away.
+    text : str
+        What was done.
+    """
+
+    states: Array
+    noise: Array
+    loose: np.ndarray
+    cutoff: float | None
+    removed: float
+    text: str
+
+
+@dataclass(frozen=True, eq=False)
 class Trajectories:
     """Samples in time of one machine.
 
@@ -131,6 +161,10 @@ class Trajectories:
         Of predicted readings: which lie outside of where a law was found; empty of those that were read.
     half : (N, n_q) array, optional
         Of predicted readings: half the width of their bands, where these were asked for.
+    moved : Motion, optional
+        Joints and derivatives at the readings, where they were recorded on a clock of their own.
+    joints_path : Path or str, optional
+        The file of these joints; `path` is that of the readings then.
     """
 
     path: Path | str
@@ -153,6 +187,8 @@ class Trajectories:
     setups: tuple[str, ...] = ()
     outside: np.ndarray = field(default_factory=lambda: np.zeros(0, dtype=bool))
     half: Array | None = None
+    moved: Motion | None = None
+    joints_path: Path | str | None = None
 
     pairs: ClassVar[None] = None  # what only readings between rows have, for those who look at either
 

@@ -45,7 +45,7 @@ def motion(found: MotionResult | MotionDiagnosis) -> str:
         "rejected": [],
         "not_tested": [],
     }
-    own = any(p.limb is not None for p in found.parameters)
+    own = any(p.limb is not None for p in found.base)
     return report.page_of(
         "motion",
         **(
@@ -53,7 +53,7 @@ def motion(found: MotionResult | MotionDiagnosis) -> str:
             | {
                 "badge": Verdict.ADEQUATE.value,
                 "verdict": "identified",
-                "headline": f"{machine}: {len(found.parameters)} base parameters",
+                "headline": f"{machine}: {len(found.base)} base parameters",
                 "lead": _lead(found),
                 "next": [(report.spaced(n.why), n.text) for n in found.next_measurements],
             }
@@ -72,7 +72,7 @@ def motion(found: MotionResult | MotionDiagnosis) -> str:
             (
                 p.name,
                 *((str(p.limb),) if own else ()),
-                p.combination,
+                p.combination or ("of all runs" if p.run is None else f"of run {p.run}"),
                 report.measured(p.value, p.std),
                 p.unit,
             )

@@ -28,9 +28,8 @@ from deltacal_gen.physics.motion import with_motion
 from deltacal_gen.physics.parts import lacks
 from deltacal_gen.physics.reading import reading_shift
 from deltacal_gen.physics.terms import LOGGED, Term, blank, constants_of, effect_names, row_factors, scaled
+from deltacal_gen.states import CLOCK
 from deltacal_gen.units import DEG, to_internal
-
-CLOCK = ("clock_offset", "clock_rate")  # parameters of a truth that are of no machine
 
 
 class _Truth(Table):

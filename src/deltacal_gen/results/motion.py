@@ -168,7 +168,8 @@ class Unexplained(Value):
 class InertialParameter(Parameter):
     """A base parameter, named after the first parameter of its combination; actual minus robot file."""
 
-    combination: str
+    combination: str | None = None
+    """Absent of a clock, which is no part of the machine."""
     limb: int | None = None
     """Whose reading knows it, where what the drives give per torque is unknown."""
 
@@ -217,7 +218,7 @@ class MotionModel(Answer):
     """Of the readings, joint by joint."""
     robot: RobotTables
     parameters: tuple[InertialParameter, ...]
-    """Base parameters of the rigid machine, beside all that was found."""
+    """Base parameters of the rigid machine, beside all that was found; then two clocks, if there are."""
     rank: int | None = None
     """How many base parameters there are; absent in diagnoses that older versions wrote, as all that follows."""
     rank_tolerance: float | None = None
@@ -235,6 +236,11 @@ class MotionModel(Answer):
     gross_errors: tuple[int, ...]
     """Lines of the recording in which something was put right or left out: `motion.repairs` says what."""
     made: Made | None = None
+
+    @property
+    def base(self) -> tuple[InertialParameter, ...]:
+        """Base parameters alone."""
+        return tuple(p for p in self.parameters if p.combination is not None)
 
     @property
     def has_law(self) -> bool:

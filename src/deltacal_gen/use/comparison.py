@@ -149,7 +149,7 @@ def compare_in_motion(before: MotionResult | MotionDiagnosis, after: MotionResul
 def _in_motion(found: MotionResult | MotionDiagnosis) -> dict[str, tuple[float, float | None, str]]:
     """Return value, deviation and unit of all numbers of an answer, by names that tell what and of which joint."""
     if isinstance(found, MotionResult):
-        of_joint = ((p.name if p.limb is None else f"{p.name} of joint {p.limb}", p) for p in found.parameters)
+        of_joint = ((p.name if p.limb is None else f"{p.name} of joint {p.limb}", p) for p in found.base)
         return {name: (p.value, p.std, p.unit) for name, p in of_joint}
     named = {
         f"{e.name}{_order(e)} {p.label}{'' if p.limb is None else f'_{p.limb}'}": (p.value, p.std, p.unit)

@@ -25,10 +25,10 @@ from deltacal_gen.results.motion import MotionDiagnosis, MotionModel, MotionResu
 from deltacal_gen.results.parts import InstrumentState, MachineState, TermState, Uncertainty
 from deltacal_gen.results.reader import Given, read_diagnosis, read_result
 from deltacal_gen.results.result import Parameter, Result
+from deltacal_gen.states import CLOCK
 from deltacal_gen.units import file_unit
 
 _REMEDY = "Give the file as it was written; a machine is edited in its robot file."
-CLOCK = {"clock_offset": "s", "clock_rate": "1"}  # parameters of an instrument's own clock
 ORTHONORMAL = 1e-6  # by which the rows of a rotation may fail to be
 
 

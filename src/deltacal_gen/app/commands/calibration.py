@@ -188,7 +188,8 @@ def diagnose(
     given, clock = set_in_time(robot, recording, name, doubtful=True, progress=progress)
     found = diagnosis.diagnose(robot, given, name, progress=progress).answer()
     if clock is not None and found.physics:  # what bends the machine may have moved the clock, and the other way round
-        given, clock = clock.again(robot, name, held=known_effects(found, timed=True), progress=progress)
+        held = known_effects(found, timed=True)
+        given, clock = set_in_time(robot, recording, name, held=held, start=clock, doubtful=True, progress=progress)
         found = diagnosis.diagnose(robot, given, name, progress=progress).answer()
     found = with_clock(found, clock).replace(made=made(*files, measured=given))
     if output is not None:

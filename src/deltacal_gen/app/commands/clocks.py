@@ -2,24 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
-import numpy as np
-
 from deltacal_gen.app.commands.common import Progress, Source, as_recording
-from deltacal_gen.errors import UsageError
 from deltacal_gen.files.columns import Columns, instrument_path
 from deltacal_gen.files.writing import csv_text, file_columns, sidecar_text, write_files
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Recording, Robot
-from deltacal_gen.motion.clocks import Clock, TwoClocks, two_clocks
+from deltacal_gen.motion.clocks import TwoClocks, two_clocks
 from deltacal_gen.results.parts import SeriesMade
 from deltacal_gen.states import TIME
 
 if TYPE_CHECKING:
-    from deltacal_gen.identification.clocks import Alignment
+    from deltacal_gen.motion.alignment import Alignment
     from deltacal_gen.physics.terms import Term
     from deltacal_gen.results.diagnosis import Diagnosis
     from deltacal_gen.results.result import Parameter, Result
@@ -35,16 +32,27 @@ def clocks_of(recording: object, robot: Robot, **how: bool) -> TwoClocks | None:
 
 
 def set_in_time(
-    robot: Robot, recording: Any, model: str | None, *, held: Sequence[Term] = (), progress: Progress, **how: bool
+    robot: Robot,
+    recording: Any,
+    model: str | None,
+    *,
+    held: Sequence[Term] = (),
+    start: Alignment | None = None,
+    progress: Progress,
+    **how: bool,
 ) -> tuple[Recording, Alignment | None]:
-    """Return a recording; one with two clocks as these stand by its own readings, and how they stand."""
+    """Return a recording; one with two clocks as these stand by its own readings, and how they stand.
+
+    `held` are effects that act on the machine, `start` says where the clocks stand about.
+    """
     given = clocks_of(recording, robot, **how)
     if given is None:
         return as_recording(recording, robot, **how), None
     from deltacal_gen.identification.clocks import aligned
 
-    found = aligned(robot, given, model, held=held, progress=progress)
-    return found.recording, found
+    at = None if start is None else start.clock
+    found = aligned(robot, given, model, held=held, start=at, progress=progress)
+    return given.at(found.clock), found
 
 
 def with_clock(found: Answered, clock: Alignment | None) -> Answered:
@@ -53,18 +61,17 @@ def with_clock(found: Answered, clock: Alignment | None) -> Answered:
         return found
     own: tuple[Parameter, ...] = clock.parameters
     told: tuple[Parameter, ...] = found.parameters or ()
+    assert isinstance(clock.clocks, TwoClocks)
     return found.replace(parameters=(*told, *own), motion=series_made(clock.clocks))
 
 
 def as_known(known: Result | Diagnosis, recording: Any, robot: Robot, *, need_measured: bool = True) -> Recording:
     """Return a recording that a result is used on, its clocks as the result knows them."""
-    from deltacal_gen.use.clocks import known_clock
-
     given = clocks_of(recording, robot, need_measured=need_measured)
     if given is None:
         like = None if need_measured else known.instrument
         return as_recording(recording, robot, need_measured=need_measured, like=like)
-    return given.at(known_clock(known, given), need_joints=not need_measured)
+    return given.at(given.known_clock(known.parameters or ()), need_joints=not need_measured)
 
 
 def series_made(given: TwoClocks) -> SeriesMade:
@@ -72,19 +79,6 @@ def series_made(given: TwoClocks) -> SeriesMade:
     return SeriesMade(
         cutoff_Hz=0.5 / given.spacing, removed=given.removed, text=given.text, repairs=given.joints.repairs
     )
-
-
-def simulated_clock(given: TwoClocks, said: Mapping[str, float]) -> Clock:
-    """Return the clock that a truth names.
-
-    Raises
-    ------
-    UsageError
-        It names a rate where the sidecar says that there is none.
-    """
-    if said.get("clock_rate") and not given.rated:
-        raise UsageError(f"the truth has a clock_rate, and the sidecar says clock = '{given.clock}'.")
-    return Clock(np.full(len(given.run_names), said.get("clock_offset", 0.0)), said.get("clock_rate", 0.0))
 
 
 def instrument_columns(given: TwoClocks, done: Recording, *, joints: bool) -> Columns:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
-from deltacal_gen.app.commands.clocks import clocks_of, simulated_clock, write_two_clocks
+from deltacal_gen.app.commands.clocks import clocks_of, write_two_clocks
 from deltacal_gen.app.commands.common import (
     PICTURES,
     AnyRecording,
@@ -23,6 +23,7 @@ from deltacal_gen.app.commands.common import (
     silent,
 )
 from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.files.columns import instrument_path
 from deltacal_gen.files.robot import Robot, for_model, for_names
 from deltacal_gen.files.sidecar import read_measurement
 from deltacal_gen.files.writing import csv_text, write_files, write_recording
@@ -196,7 +197,7 @@ def simulate(
     if timed is None:
         given = as_recording(poses, robot, need_measured=False, allow_targets=True)
     else:
-        given = timed.at(simulated_clock(timed, _clock_of(truth)))
+        given = timed.at(timed.simulated(_clock_of(truth)))
     if not isinstance(poses, Recording) and not Path(given.path).with_suffix(".toml").exists():
         given = dataclasses.replace(given, measurement=dataclasses.replace(given.measurement, frame="robot"))
     robot, errors, terms = _truth(robot, truth)
@@ -228,8 +229,13 @@ def _in_motion(done: Trajectories, output: Source | None, noise: float) -> Traje
     from deltacal_gen.motion.simulation import sidecar_text
 
     if output is not None:
-        path = Path(output)
-        write_files({path.with_suffix(".toml"): sidecar_text(done, noise), path: csv_text(columns_of(done))})
+        path, own = Path(output), done.joints_path
+        files: dict[Path, str | bytes] = {path.with_suffix(".toml"): sidecar_text(done, noise)}
+        if own is None:
+            files[path] = csv_text(columns_of(done))
+        else:
+            files |= {path: Path(own).read_bytes(), instrument_path(path): csv_text(columns_of(done, joints=False))}
+        write_files(files)
     return done
 
 
