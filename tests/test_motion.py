@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from conftest import Run
 from jsonschema import Draft202012Validator
 from scipy.optimize import nnls
 
@@ -414,6 +415,33 @@ def test_the_base_has_the_rank_of_the_regressor(links: list[dict[str, Any]]) -> 
         inertia = rng.standard_normal(Y.shape[2])
         by_base = rows[:, base.chosen] @ (base.made_up @ inertia)
         assert by_base == pytest.approx(rows @ inertia, abs=1e-9 * np.abs(rows @ inertia).max())
+
+
+def test_the_matrix_in_motion_is_the_regressor(run: Run, tmp_path: Path) -> None:
+    """Least squares of it is what the rigid machine leaves; its null space moves no torque, and is told in words."""
+    files = tmp_path / "robot.toml", written(tmp_path, lambda states, load: 0 * load, runs=2)
+    code, out, _ = run("matrix", *files, "--model", "rigid", "-o", tmp_path / "H.npz", "--json")
+    told, found = json.loads(out), dict(np.load(tmp_path / "H.npz"))
+    H, known = found["H"], dc.identify(*files)
+    assert code == 0
+    assert (told["rows"], told["columns"]) == H.shape == (len(found["r"]), 30)
+    assert told["rank"] == known["rank"] == len(found["base"]) == 15
+    assert told["condition"] is None
+    assert [p["name"] for p in known["parameters"]] == found["base"].tolist()
+    X = H[:, [found["names"].tolist().index(name) for name in found["base"]]]
+    X /= np.linalg.norm(X, axis=0)
+    left = found["r"] - X @ np.linalg.lstsq(X, found["r"])[0]
+    assert np.sqrt(np.mean(left**2)) == pytest.approx(NOISE, rel=0.1)
+    assert told["unidentifiable"] == [c["text"] for c in known["unidentifiable"]]
+    for combination in known["unidentifiable"][1:]:  # each by itself leaves every torque
+        terms = [(H[:, found["names"].tolist().index(name)], share) for name, share in combination["terms"].items()]
+        assert np.abs(sum(h * share for h, share in terms)).max() < 1e-6 * max(np.abs(h * s).max() for h, s in terms)
+    with pytest.raises(UsageError, match="there is the model serial/rigid only"):
+        dc.matrix(*files, "serial/18")
+    currents = written(tmp_path, usual, runs=1)
+    currents.write_text(currents.read_text().replace("tau1_Nm,tau2_Nm,tau3_Nm", "current1_A,current2_A,current3_A"))
+    with pytest.raises(InputError, match="current1_A is no torque"):
+        dc.matrix(tmp_path / "robot.toml", currents, "rigid")
 
 
 def test_a_base_leaves_out_what_is_never_seen() -> None:

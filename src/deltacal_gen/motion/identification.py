@@ -41,9 +41,7 @@ def identify(robot: Robot, given: Trajectories, model: str | None = None) -> Mot
     InputError
         No joint moves for long enough.
     """
-    name = f"{robot.mechanism}/{RIGID}"
-    if model not in (None, RIGID, name):
-        raise UsageError(f"in motion there is the model {name} only, not '{model}'.")
+    name = rigid_model(robot, model)
     session = Session.of(robot, given)
     fits = [fitted(joint, []) for joint in session.moving]
     final, noise = session.left(fits, name), session.noise(fits)
@@ -65,6 +63,14 @@ def identify(robot: Robot, given: Trajectories, model: str | None = None) -> Mot
         friction=_of_friction(session, fits),
         doubts=tuple(_doubts(fits)) or None,
     )
+
+
+def rigid_model(robot: Robot, model: str | None) -> str:
+    """Return the name of the one model in motion; raises a UsageError where another one is asked for."""
+    name = f"{robot.mechanism}/{RIGID}"
+    if model not in (None, RIGID, name):
+        raise UsageError(f"in motion there is the model {name} only, not '{model}'.")
+    return name
 
 
 def bodies_told(rigid: Rigid, fits: Sequence[Fit]) -> dict[str, Any]:

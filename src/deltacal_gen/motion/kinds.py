@@ -28,6 +28,7 @@ from deltacal_gen.units import joint_factors, joint_names
 if TYPE_CHECKING:
     from deltacal_gen.motion.alignment import Alignment
     from deltacal_gen.motion.clocks import DriveClocks
+    from deltacal_gen.motion.matrix import Regressor
 
 
 class Torque:
@@ -82,6 +83,14 @@ class Torque:
             return identify(robot, self.read(robot), model)
         clock = aligned(robot, both)
         return _with_clock(identify(robot, both.at(clock.clock), model), clock)
+
+    def matrix(self, robot: Robot) -> Regressor:
+        """Return the linear problem of the rigid machine itself."""
+        from deltacal_gen.motion.matrix import regressor
+        from deltacal_gen.motion.timing import aligned
+
+        both = self._clocks(robot)
+        return regressor(robot, self.read(robot) if both is None else both.at(aligned(robot, both).clock))
 
     def diagnose(self, robot: Robot, progress: Callable[[str], None]) -> MotionDiagnosis:
         """Find what each drive has beside the rigid machine.

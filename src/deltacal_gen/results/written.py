@@ -28,6 +28,10 @@ class Matrix(Answer):
     condition: float | None
     """Null where the rank is not full."""
     scaling: str
+    combinations: tuple[str, ...] | None = None
+    """In motion: the combinations of inertial parameters that the samples know."""
+    unidentifiable: tuple[str, ...] | None = None
+    """In motion: what they do not know, in words."""
 
 
 class FirmwareLeft(Value):

@@ -279,19 +279,25 @@ def matrix(
     from deltacal_gen.results.written import Matrix
 
     found = commands.matrix(robot, recording, model, output, as_distance=_as_distance(as_kind), scaling=scaling)
-    seen = observability(found["H"], len(found["H"]))
+    rows, columns = found["H"].shape
+    told = {key: tuple(map(str, found[key])) for key in ("combinations", "unidentifiable") if key in found}
+    seen = None if told else observability(found["H"], rows)
     summary = Matrix(
         file=str(output),
-        rows=found["H"].shape[0],
-        columns=found["H"].shape[1],
-        rank=seen.rank,
-        condition=seen.condition if seen.rank == seen.columns else None,
+        rows=rows,
+        columns=columns,
+        rank=len(told["combinations"]) if seen is None else seen.rank,
+        condition=seen.condition if seen is not None and seen.rank == columns else None,
         scaling=scaling,
+        combinations=told.get("combinations"),
+        unidentifiable=told.get("unidentifiable"),
     )
     if as_json:
         print_json(summary)
     else:
         screen.print(
-            f"H {summary.rows} x {summary.columns}, rank {seen.rank}, condition {number(summary.condition)} "
+            f"H {summary.rows} x {summary.columns}, rank {summary.rank}, condition {number(summary.condition)} "
             f"(scaling {scaling}) written to {summary.file}"
         )
+        for key, texts in told.items():
+            screen.print(f"  {key}: {escaped('; '.join(texts))}")

@@ -31,6 +31,8 @@ from deltacal_gen.results.result import Firmware, Result
 
 if TYPE_CHECKING:
     from deltacal_gen.estimation.solvers import Solver
+    from deltacal_gen.machine.values import Robot
+    from deltacal_gen.motion.kinds import Torque
     from deltacal_gen.results.diagnosis import Diagnosis
     from deltacal_gen.results.motion import MotionDiagnosis, MotionResult
 
@@ -213,25 +215,55 @@ def matrix(
     as_distance: bool = False,
     scaling: str = "file",
 ) -> dict[str, Any]:
-    """Return the identification matrix: H (rows, n), r (rows,) [mm], names, units, scaling; `output` is an .npz."""
+    """Return the identification matrix: H (rows, n), r (rows,) [mm], names, units, scaling; `output` is an .npz.
+
+    Of a recording in motion (kind torque) it is the regressor of the rigid machine, see `motion.matrix`: Nm or N per
+    unit of the inertial parameters, with joint and line of each row, base parameters with the combinations that they
+    are, and in words what these samples do not know (``base``, ``combinations``, ``unidentifiable``).
+    """
     from deltacal_gen.estimation.problem import pose_problem
     from deltacal_gen.identification.identifiability import identification_matrix
 
     check_output(output, robot, recording, ending=(".npz",))
     model = str(model)
-    robot = for_model(as_robot(robot), model)
-    names = mechanism_of(robot).model(model)
-    problem = pose_problem(robot, as_recording(recording, robot), names, as_distance=as_distance)
-    found = identification_matrix(problem, scaling)
-    arrays = {
-        "H": found.H,
-        "r": found.r,
-        "names": np.array(found.names),
-        "units": np.array(found.units),
-        "scaling": np.array(found.convention),
-    }
+    if (moving := in_motion(recording)) is not None:
+        refuse_in_motion(**{"as distance": as_distance, "scaling": scaling != "file"})
+        arrays = _regressor(as_robot(robot), moving, model)
+    else:
+        robot = for_model(as_robot(robot), model)
+        names = mechanism_of(robot).model(model)
+        problem = pose_problem(robot, as_recording(recording, robot), names, as_distance=as_distance)
+        found = identification_matrix(problem, scaling)
+        arrays = {
+            "H": found.H,
+            "r": found.r,
+            "names": np.array(found.names),
+            "units": np.array(found.units),
+            "scaling": np.array(found.convention),
+        }
     if output is not None:
         stream = io.BytesIO()
         np.savez_compressed(stream, allow_pickle=False, **arrays)
         write_files({Path(output): stream.getvalue()})
     return arrays
+
+
+def _regressor(robot: Robot, moving: Torque, model: str) -> dict[str, Any]:
+    """Return the arrays of a recording in motion."""
+    from deltacal_gen.motion.identification import rigid_model
+
+    rigid_model(robot, model)
+    found = moving.matrix(robot)
+    base = np.array(found.base).reshape(-1, 2)
+    return {
+        "H": found.H,
+        "r": found.r,
+        "names": np.array(found.names),
+        "units": np.array(found.units),
+        "scaling": np.array("file"),
+        "joint": found.joint,
+        "line": found.line,
+        "base": base[:, 0],
+        "combinations": base[:, 1],
+        "unidentifiable": np.array(found.unseen),
+    }
