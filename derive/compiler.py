@@ -23,7 +23,7 @@ from typing import Any
 import jinja2
 import sympy as sp
 
-from derive import registry, servo, statics
+from derive import registry, servo, statics, tangent
 from derive.backends import c99, lanes, numpy, scalar
 from derive.backends import servo as commands
 from derive.backends.ir import Kernel
@@ -146,7 +146,13 @@ class Lowered:
 
 def lower_one(derived: Derived) -> Lowered:
     """Lower the functions of a spec."""
-    return Lowered(derived.spec, {name: _lowered(found) for name, found in derived.functions.items()}, derived.layouts)
+    kernels = {name: _lowered(found) for name, found in derived.functions.items()}
+    if isinstance(derived.spec, ChainMechanism):
+        kernels["slopes"] = tangent.of_chain(kernels["motion"])
+    elif isinstance(derived.spec, LimbMechanism) and derived.spec.limb_inertials:
+        blocks = derived.layouts["blocks"]
+        kernels["slopes"] = tangent.of_limbs(derived.spec, blocks, kernels["moving"], kernels["motion"])
+    return Lowered(derived.spec, kernels, derived.layouts)
 
 
 def _lowered(functions: Sequence[Functions]) -> dict[str, Kernel]:
@@ -170,7 +176,12 @@ def write_one(lowered: Lowered) -> dict[Path, str]:
             texts[folder / name] = _file(f"chain/{name}", spec, mechanism=spec, kernels=kernels["links"])
         for name in ("dynamics.py", "dynamics.c"):
             texts[folder / name] = _file(
-                f"chain/{name}", spec, mechanism=spec, kernels=kernels["motion"], inertia=INERTIA
+                f"chain/{name}",
+                spec,
+                mechanism=spec,
+                kernels=kernels["motion"],
+                slopes=kernels["slopes"],
+                inertia=INERTIA,
             )
         return texts
     moving, layouts = kernels["moving"], lowered.layouts
@@ -194,6 +205,7 @@ def write_one(lowered: Lowered) -> dict[Path, str]:
         stated = {b.name: b.stated for b in (*spec.limb_inertials, *spec.platform_inertials) if b.stated is not None}
         contents["dynamics.py"] = {
             "kernels": kernels["motion"],
+            "slopes": kernels["slopes"],
             "stated": {name: numpy.expression(e) for name, e in stated.items()},
             "reads": set().union(*(e.free_symbols for e in stated.values())),
         }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -13,6 +14,7 @@ from deltacal_gen.errors import UsageError
 from deltacal_gen.machine import dynamics as dynamics_module
 from deltacal_gen.machine.dynamics import Dynamics, dynamics_of, known
 from deltacal_gen.machine.registry import mechanism_names, mechanism_of
+from deltacal_gen.machine.values import Robot
 from tests import independent_dynamics
 from tests.drawn import example_of
 from tests.every_effect import ARM, LIFT, chain, robot_from_dict
@@ -30,12 +32,17 @@ CHAINS = {
     "fixed": [*LIFT[:2], {"kind": "fixed", "a": 70.0, "alpha": 20.0}, *LIFT[2:]],
 }
 GRAVITY = (1.0, -2.0, -9.0)
+STEP = 0.2  # of what is typical of an error
+
+
+def robot_of_links(links: Sequence[Mapping[str, Any]], gravity: Sequence[float] = GRAVITY) -> Robot:
+    head = {"robot": {"name": "arm", "mechanism": "serial"}, "geometry": {"tool": [40.0, -15.0, 90.0]}}
+    tables = head | {"joint": [dict(link) for link in links], "masses": {"gravity": list(gravity)}}
+    return robot_from_dict(tables)
 
 
 def dynamics(links: Sequence[Mapping[str, Any]], gravity: Sequence[float] = GRAVITY) -> Dynamics:
-    head = {"robot": {"name": "arm", "mechanism": "serial"}, "geometry": {"tool": [40.0, -15.0, 90.0]}}
-    tables = head | {"joint": [dict(link) for link in links], "masses": {"gravity": list(gravity)}}
-    return dynamics_of(robot_from_dict(tables))
+    return dynamics_of(robot_of_links(links, gravity))
 
 
 def states(links: Sequence[Mapping[str, Any]], n: int, seed: int = 0) -> np.ndarray:
@@ -63,6 +70,32 @@ def test_torques_are_those_of_newton_and_euler(name: str) -> None:
     found = dynamics(links).torque(motion, inertia)
     wanted = [independent_dynamics.torque(links, *motion[:, n], inertia, np.array(GRAVITY)) for n in range(40)]
     assert found == pytest.approx(np.array(wanted), abs=1e-12 * np.abs(wanted).max())
+
+
+def by_differences(robot: Robot, motion: np.ndarray, inertia: np.ndarray) -> np.ndarray:
+    """Return how torques change (N, n_q, n) with each source error, per what is typical of it: of fourth order."""
+    found = []
+    for p in mechanism_of(robot).parameters:
+        sides = []
+        for n in (1, -1, 2, -2):
+            errors = robot.errors | {p.name: robot.errors.get(p.name, 0.0) + n * STEP * p.typical}
+            sides.append(dynamics_of(dataclasses.replace(robot, errors=errors)).torque(motion, inertia))
+        found.append((8 * (sides[0] - sides[1]) - (sides[2] - sides[3])) / (12 * STEP))
+    return np.stack(found, axis=2)
+
+
+@pytest.mark.parametrize("name", CHAINS)
+def test_torques_change_with_source_errors_as_derived(name: str) -> None:
+    """Against differences; with one parameter 1 they are those of the regressor's column."""
+    links, motion, inertia = CHAINS[name], states(CHAINS[name], 20), bodies(CHAINS[name]).ravel()
+    robot = robot_of_links(links)
+    parameters = mechanism_of(robot).parameters
+    robot = dataclasses.replace(robot, errors={p.name: 0.7 * p.typical for p in parameters})
+    own, names = dynamics_of(robot), [p.name for p in parameters]
+    found, wanted = own.torque_by_errors(motion, inertia, names), by_differences(robot, motion, inertia)
+    assert np.abs(found * [p.typical for p in parameters] - wanted).max() < 1e-9 * np.abs(wanted).max()
+    columns = [own.torque_by_errors(motion, row, names) for row in np.eye(len(inertia))]
+    assert np.tensordot(inertia, columns, 1) == pytest.approx(found, abs=1e-12 * np.abs(found).max())
 
 
 @pytest.mark.parametrize("name", CHAINS)

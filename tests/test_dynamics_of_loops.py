@@ -7,12 +7,13 @@ import dataclasses
 import numpy as np
 import pytest
 
-from deltacal_gen.machine.dynamics import Dynamics, dynamics_of, torque_by_errors
+from deltacal_gen.machine.dynamics import Dynamics, dynamics_of
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.rigid import Rigid
 from tests import independent_delta
 from tests.machines_with_loops import REACH, machine, states
+from tests.test_dynamics import by_differences
 
 STENCIL = {1: 4 / 5, 2: -1 / 5, 3: 4 / 105, 4: -1 / 280}  # central differences of eighth order, odd
 
@@ -173,19 +174,19 @@ def test_a_pose_out_of_reach_has_no_torque() -> None:
     found = own.torque(motion, own.stated())
     assert np.isnan(found[2]).all()
     assert np.isfinite(np.delete(found, 2, axis=0)).all()
+    slopes = own.torque_by_errors(motion, own.stated(), ["dl_1"])
+    assert np.isnan(slopes[2]).all()
+    assert np.isfinite(np.delete(slopes, 2, axis=0)).all()
 
 
-def test_torques_are_those_of_the_calibrated_machine_and_change_with_its_errors() -> None:
-    """A step along the derivatives is the torque of the machine with other errors, but for the square of the step."""
-    robot = machine("delta")
+@pytest.mark.parametrize("name", REACH)
+def test_torques_change_with_the_errors_of_the_calibrated_machine_as_derived(name: str) -> None:
+    """Against differences of fourth order, error by error."""
+    robot = machine(name)
     motion, inertia = states(robot, 20), dynamics_of(robot).stated()
-    names = [p.name for p in mechanism_of(robot).parameters]
-    direction = np.array([p.typical for p in mechanism_of(robot).parameters])
-    slope = torque_by_errors(robot, motion, inertia, names) @ direction
-    now, left = dynamics_of(robot).torque(motion, inertia), []
-    for step in (0.2, 0.1, 0.05):
-        errors = {n: robot.errors[n] + step * d for n, d in zip(names, direction, strict=True)}
-        moved = dynamics_of(dataclasses.replace(robot, errors=errors)).torque(motion, inertia)
-        left.append(np.linalg.norm(moved - now - step * slope))
-    assert np.log2(np.divide(left[:-1], left[1:])) == pytest.approx([2, 2], abs=0.1)
-    assert np.linalg.norm(slope) > 1e-3 * np.linalg.norm(now)
+    parameters = mechanism_of(robot).parameters
+    found = dynamics_of(robot).torque_by_errors(motion, inertia, [p.name for p in parameters])
+    wanted = by_differences(robot, motion, inertia)
+    size = np.abs(wanted).max()
+    assert np.abs(found * [p.typical for p in parameters] - wanted).max() < 1e-8 * size
+    assert size > 1e-4 * np.abs(dynamics_of(robot).torque(motion, inertia)).max()

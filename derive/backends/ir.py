@@ -11,6 +11,8 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
+RATES = "_by"  # behind the name of an array: that of the rates of its numbers
+
 
 @dataclass(frozen=True)
 class Place:

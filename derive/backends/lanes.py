@@ -10,7 +10,7 @@ from typing import ClassVar
 import sympy as sp
 from sympy.printing.precedence import PRECEDENCE
 
-from derive.backends.ir import Kernel, Load, Place
+from derive.backends.ir import RATES, Kernel, Load, Place
 from derive.backends.scalar import Python
 from derive.backends.text import PRODUCTS, Layout, Lines, Names, arrays, loaded, written
 
@@ -74,7 +74,8 @@ def block(
     single : collection of int
         Entries of the result that are written at the first of `copies` only.
     regions : mapping, optional
-        Arrays whose numbers stand in lane arrays: the first one, or that of each number.
+        Arrays whose numbers stand in lane arrays of w: the first one, or that of each number. Their rates stand in the
+        same of ``w_by``.
     into : str
         The array of the result.
     """
@@ -94,17 +95,18 @@ def block(
 
 def _laid(load: Load, regions: Mapping[str, int | Sequence[int]], size: int) -> Load:
     """Return a load from the lane arrays of its array, where that has some."""
-    array, index = load.place.array, load.place.index
+    array, index = load.place.array.removesuffix(RATES), load.place.index
     if index is None or array not in regions:
         return load
     slots = regions[array]
     slot = slots + index if isinstance(slots, int) else slots[index]
-    return Load(load.symbol, Place("w", slot * size, lane=True))
+    into = "w" if array == load.place.array else f"w{RATES}"
+    return Load(load.symbol, Place(into, slot * size, lane=True))
 
 
 def rows(kernel: Kernel, array: str, width: int) -> Lines:
-    """Return the body of a loop over the rows of two flat arrays, `array` with rows of a width, and the result k."""
-    layout = arrays(**{array: f"{array}[{width} * lane + {{}}]"})
+    """Return the body of a loop over the rows of flat arrays, `array` with rows of a width, or rates of it, and k."""
+    layout = arrays(**{name: f"{name}[{width} * lane + {{}}]" for name in (array, f"{array}{RATES}")})
     return written(kernel, PRINTER, layout, lambda j: f"k[{kernel.length} * lane + {j}]")
 
 

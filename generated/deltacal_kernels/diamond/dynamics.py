@@ -1,7 +1,7 @@
 """Dynamics of `diamond`, many samples at once: Diamond, two arms in a plane.
 
 Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/dynamics.py.jinja; sha256 of both 6bcb50d852ee3ed4; SymPy 1.14.0.
+Template templates/mechanism/dynamics.py.jinja; sha256 of both f5850be76b5365e0; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the sample first; mm, rad, s, kg, N:
 
@@ -537,3 +537,759 @@ def _regressor(x, motion, tool, k, c, gravity, shares, Y):
 def regressor(x, motion, tool, k, c, gravity, shares, Y):
     """Fill Y (N, 2, 9): what the joints must give for each inertial parameter, which is 1."""
     _regressor(x, motion, tool, k, c, gravity, shares, Y)
+
+
+@straight
+def _fill_by(p, p_by, k, rows):
+    for lane in range(rows):
+        base_x_now = p[13 * lane + 0]
+        L_now = p[13 * lane + 2]
+        side_now = p[13 * lane + 4]
+        dL_now = p[13 * lane + 8]
+        tip_v_now = p[13 * lane + 12]
+        base_x_now_by = p_by[13 * lane + 0]
+        base_y_now_by = p_by[13 * lane + 1]
+        L_now_by = p_by[13 * lane + 2]
+        side_now_by = p_by[13 * lane + 4]
+        theta_now_by = p_by[13 * lane + 5]
+        ex_now_by = p_by[13 * lane + 6]
+        ey_now_by = p_by[13 * lane + 7]
+        dL_now_by = p_by[13 * lane + 8]
+        tip_v_now_by = p_by[13 * lane + 12]
+        s3_now = L_now + dL_now
+        s18 = base_x_now*side_now_by + base_x_now_by*side_now + ex_now_by
+        s19 = base_y_now_by + ey_now_by
+        s20 = L_now_by + dL_now_by
+        s22 = 0.5*math.pi*side_now_by + theta_now_by
+        s25 = s20*side_now + s3_now*side_now_by
+        s28 = -side_now*tip_v_now_by - side_now_by*tip_v_now
+        s33 = -(2*L_now_by + 2*dL_now_by)/((2*L_now + 2*dL_now) * (2*L_now + 2*dL_now))
+        s37 = -s20/(s3_now * s3_now * s3_now)
+        k[7 * lane + 0] = s22
+        k[7 * lane + 1] = s25
+        k[7 * lane + 2] = s28
+        k[7 * lane + 3] = s18
+        k[7 * lane + 4] = s19
+        k[7 * lane + 5] = s33
+        k[7 * lane + 6] = s37
+
+
+@straight
+def _fill_machine_by(p, p_by, k, rows):
+    for lane in range(rows):
+        base_x_now = p[13 * lane + 0]
+        L_now = p[13 * lane + 2]
+        l_now = p[13 * lane + 3]
+        side_now = p[13 * lane + 4]
+        dL_now = p[13 * lane + 8]
+        dl_now = p[13 * lane + 9]
+        tip_v_now = p[13 * lane + 12]
+        base_x_now_by = p_by[13 * lane + 0]
+        base_y_now_by = p_by[13 * lane + 1]
+        L_now_by = p_by[13 * lane + 2]
+        l_now_by = p_by[13 * lane + 3]
+        side_now_by = p_by[13 * lane + 4]
+        theta_now_by = p_by[13 * lane + 5]
+        ex_now_by = p_by[13 * lane + 6]
+        ey_now_by = p_by[13 * lane + 7]
+        dL_now_by = p_by[13 * lane + 8]
+        dl_now_by = p_by[13 * lane + 9]
+        tip_v_now_by = p_by[13 * lane + 12]
+        s3_now = L_now + dL_now
+        s26_now = dl_now + l_now
+        s59_now = (side_now * side_now)
+        s60_now = (s3_now * s3_now)
+        s21 = base_x_now*side_now_by + base_x_now_by*side_now + ex_now_by
+        s22 = base_y_now_by + ey_now_by
+        s23 = L_now_by + dL_now_by
+        s25 = 0.5*math.pi*side_now_by + theta_now_by
+        s28 = s23*side_now + s3_now*side_now_by
+        s31 = -side_now*tip_v_now_by - side_now_by*tip_v_now
+        s32 = dl_now_by + l_now_by
+        s34 = 2*s26_now*s32
+        s35 = -0.5*s34
+        s37 = 2*side_now*side_now_by
+        s39 = 2*s23*s3_now
+        s45 = s35 + 0.5*s37*s60_now + 0.5*s39*s59_now
+        s48 = s37*s60_now + s39*s59_now
+        s51 = s23*s59_now + s37*s3_now
+        k[12 * lane + 0] = s25
+        k[12 * lane + 1] = s28
+        k[12 * lane + 2] = s31
+        k[12 * lane + 3] = s21
+        k[12 * lane + 4] = s22
+        k[12 * lane + 5] = s35
+        k[12 * lane + 6] = s45
+        k[12 * lane + 7] = s48
+        k[12 * lane + 8] = s51
+        k[12 * lane + 9] = side_now_by
+        k[12 * lane + 10] = -s32
+        k[12 * lane + 11] = s34
+
+
+@fast
+def _constants_by(p, p_by, k, c):
+    _fill_machine_by(p, p_by, k, p.shape[0] * p.shape[1])
+    _fill_by(p, p_by, c, p.shape[0] * p.shape[1])
+
+
+def constants_by(p, p_by):
+    """Return how k and c change, which `constants` of ``kinematics.py`` and of this module make of one machine's p
+    (1, 2, 13), along each of p_by (E, 2, 13)."""
+    p_by = np.ascontiguousarray(p_by, dtype=float)
+    k_by = np.empty((len(p_by), 2, 12))
+    c_by = np.empty((len(p_by), 2, 7))
+    _constants_by(np.repeat(p, len(p_by), axis=0), p_by, k_by, c_by)
+    return k_by, c_by
+
+
+@straight
+def _move_platform_by(w, w_by, d, d_by, s, s_by, k, k_by, gravity, shares, inertia, n):
+    """Rates of the platform after a step, and its rotation matrix (0 operations)."""
+    for lane in range(n):
+        px_now_by = w_by[128 + lane]
+        py_now_by = w_by[160 + lane]
+        w_by[128 + lane] = px_now_by
+        w_by[1024 + lane] = px_now_by
+        w_by[160 + lane] = py_now_by
+        w_by[1056 + lane] = py_now_by
+
+
+@straight
+def _early_by(w, w_by, d, d_by, s, s_by, k, k_by, gravity, shares, inertia, n):
+    """Rates of what moves with a joint only; then the simplified limb as a sphere |P|^2 - 2 c.P + d = 0: c, d (36 operations)."""
+    s6_now = k[0]
+    s9_now = k[1]
+    s12_now = k[2]
+    B_x_now = k[3]
+    B_y_now = k[4]
+    s6_now_by = k_by[0]
+    s9_now_by = k_by[1]
+    s12_now_by = k_by[2]
+    B_x_now_by = k_by[3]
+    B_y_now_by = k_by[4]
+    s27_now_by = k_by[11]
+    for lane in range(n):
+        q_now = w[0 + lane]
+        tx_now = w[32 + lane]
+        ty_now = w[64 + lane]
+        s7_now = q_now + s6_now
+        s8_now = cosine(s7_now)
+        s10_now = s8_now*s9_now
+        s11_now = sine(s7_now)
+        s16_now = s11_now*s9_now
+        s79_now = B_x_now + s10_now + tx_now
+        s80_now = B_y_now + s16_now + ty_now
+        s14 = -s11_now*s6_now_by
+        s17 = s14*s9_now + s8_now*s9_now_by
+        s18 = s6_now_by*s8_now
+        s22 = B_x_now_by + s11_now*s12_now_by + s12_now*s18 + s17
+        s25 = s11_now*s9_now_by + s18*s9_now
+        s29 = B_y_now_by - s12_now*s14 - s12_now_by*s8_now + s25
+        s30 = B_x_now_by + s17
+        s31 = B_y_now_by + s25
+        s36 = -s27_now_by + 2*s30*s79_now + 2*s31*s80_now
+        w_by[320 + lane] = s22
+        w_by[352 + lane] = s29
+        w_by[384 + lane] = s30
+        w_by[416 + lane] = s31
+        w_by[448 + lane] = s36
+
+
+@straight
+def _more_by(w, w_by, d, d_by, s, s_by, k, k_by, gravity, shares, inertia, n):
+    """Rates of what else derivatives by joint and errors read of it (21 operations)."""
+    s6_now = k[0]
+    s9_now = k[1]
+    s12_now = k[2]
+    s6_now_by = k_by[0]
+    s9_now_by = k_by[1]
+    s12_now_by = k_by[2]
+    for lane in range(n):
+        q_now = w[0 + lane]
+        s7_now = q_now + s6_now
+        s8_now = cosine(s7_now)
+        s11_now = sine(s7_now)
+        s9 = -s11_now*s6_now_by
+        s10 = s6_now_by*s8_now
+        s17 = s10*s9_now + s11_now*s9_now_by - s12_now*s9 - s12_now_by*s8_now
+        s24 = -s10*s12_now - s11_now*s12_now_by - s8_now*s9_now_by - s9*s9_now
+        w_by[512 + lane] = s10
+        w_by[544 + lane] = s9
+        w_by[576 + lane] = s17
+        w_by[608 + lane] = s24
+
+
+@straight
+def _rows_by(w, w_by, d, d_by, s, s_by, k, k_by, gravity, shares, inertia, n):
+    """Rates of equations of a limb, their derivatives by shift and turn of the platform (10 operations)."""
+    s28_now_by = k_by[5]
+    for lane in range(n):
+        tx_now = w[32 + lane]
+        ty_now = w[64 + lane]
+        px_now = w[128 + lane]
+        py_now = w[160 + lane]
+        C_x_now = w[320 + lane]
+        C_y_now = w[352 + lane]
+        px_now_by = w_by[128 + lane]
+        py_now_by = w_by[160 + lane]
+        C_x_now_by = w_by[320 + lane]
+        C_y_now_by = w_by[352 + lane]
+        A_x_now = px_now - tx_now
+        A_y_now = py_now - ty_now
+        d_x_now = A_x_now - C_x_now
+        d_y_now = A_y_now - C_y_now
+        s9 = -C_x_now_by + px_now_by
+        s10 = -C_y_now_by + py_now_by
+        s17 = d_x_now*s9 + d_y_now*s10 + s28_now_by
+        w_by[192 + lane] = s17
+        w_by[224 + lane] = s9
+        w_by[256 + lane] = s10
+
+
+@straight
+def _joints_by(w, w_by, d, d_by, s, s_by, k, k_by, gravity, shares, inertia, n):
+    """Rates of derivatives of a limb's equations by its joint (13 operations)."""
+    for lane in range(n):
+        tx_now = w[32 + lane]
+        ty_now = w[64 + lane]
+        px_now = w[128 + lane]
+        py_now = w[160 + lane]
+        C_x_now = w[320 + lane]
+        C_y_now = w[352 + lane]
+        s84_now = w[576 + lane]
+        s86_now = w[608 + lane]
+        px_now_by = w_by[128 + lane]
+        py_now_by = w_by[160 + lane]
+        C_x_now_by = w_by[320 + lane]
+        C_y_now_by = w_by[352 + lane]
+        s84_now_by = w_by[576 + lane]
+        s86_now_by = w_by[608 + lane]
+        A_x_now = px_now - tx_now
+        A_y_now = py_now - ty_now
+        d_x_now = A_x_now - C_x_now
+        d_y_now = A_y_now - C_y_now
+        s15 = d_x_now*s84_now_by + d_y_now*s86_now_by + s84_now*(-C_x_now_by + px_now_by) + s86_now*(-C_y_now_by + py_now_by)
+        w_by[288 + lane] = s15
+
+
+@straight
+def _inverse_by(w, w_by, d, d_by, s, s_by, k, k_by, gravity, shares, inertia, n):
+    """Rates of minus the inverse of the derivatives, row by row; how far the equations are from dependent (60 operations)."""
+    for lane in range(n):
+        J00_0_now = w[224 + lane]
+        J00_1_now = w[256 + lane]
+        J10_0_now = w[1120 + lane]
+        J10_1_now = w[1152 + lane]
+        J00_0_now_by = w_by[224 + lane]
+        J00_1_now_by = w_by[256 + lane]
+        J10_0_now_by = w_by[1120 + lane]
+        J10_1_now_by = w_by[1152 + lane]
+        G_det_00_now = J00_0_now*J10_1_now - J00_1_now*J10_0_now
+        G_by_00_now = (1.0 / G_det_00_now)
+        s23 = J00_0_now*J10_1_now_by + J00_0_now_by*J10_1_now - J00_1_now*J10_0_now_by - J00_1_now_by*J10_0_now
+        s25 = -s23/(G_det_00_now * G_det_00_now)
+        s28 = G_by_00_now*J10_1_now_by + J10_1_now*s25
+        s31 = -G_by_00_now*J00_1_now_by - J00_1_now*s25
+        s34 = -G_by_00_now*J10_0_now_by - J10_0_now*s25
+        s37 = G_by_00_now*J00_0_now_by + J00_0_now*s25
+        s52 = (-1.0e-12*(J10_0_now * J10_0_now) - 1.0e-12*(J10_1_now * J10_1_now))*(2*J00_0_now*J00_0_now_by + 2*J00_1_now*J00_1_now_by)
+        s53 = (-1.0e-12*(J00_0_now * J00_0_now) - 1.0e-12*(J00_1_now * J00_1_now))*(2*J10_0_now*J10_0_now_by + 2*J10_1_now*J10_1_now_by)
+        s55 = 2*G_det_00_now*s23 + s52 + s53
+        w_by[1920 + lane] = -s28
+        w_by[1952 + lane] = -s31
+        w_by[1984 + lane] = -s34
+        w_by[2016 + lane] = -s37
+        w_by[2048 + lane] = s55
+
+
+@straight
+def _move_by(w, w_by, d, d_by, s, s_by, k, k_by, gravity, shares, inertia, n):
+    """Rates of how the platform moves with each joint, and how it does (30 operations)."""
+    for lane in range(n):
+        M_0_0_now = w[1920 + lane]
+        M_0_1_now = w[1952 + lane]
+        M_1_0_now = w[1984 + lane]
+        M_1_1_now = w[2016 + lane]
+        q_t_0_now = d[0 + lane]
+        Q_0_now = w[288 + lane]
+        q_t_1_now = d[832 + lane]
+        Q_1_now = w[1184 + lane]
+        M_0_0_now_by = w_by[1920 + lane]
+        M_0_1_now_by = w_by[1952 + lane]
+        M_1_0_now_by = w_by[1984 + lane]
+        M_1_1_now_by = w_by[2016 + lane]
+        q_t_0_now_by = d_by[0 + lane]
+        Q_0_now_by = w_by[288 + lane]
+        q_t_1_now_by = d_by[832 + lane]
+        Q_1_now_by = w_by[1184 + lane]
+        V_0_0_now = M_0_0_now*Q_0_now
+        V_0_1_now = M_0_1_now*Q_1_now
+        V_1_0_now = M_1_0_now*Q_0_now
+        V_1_1_now = M_1_1_now*Q_1_now
+        s12 = M_0_0_now*Q_0_now_by + M_0_0_now_by*Q_0_now
+        s15 = M_0_1_now*Q_1_now_by + M_0_1_now_by*Q_1_now
+        s18 = M_1_0_now*Q_0_now_by + M_1_0_now_by*Q_0_now
+        s21 = M_1_1_now*Q_1_now_by + M_1_1_now_by*Q_1_now
+        s28 = V_0_0_now*q_t_0_now_by + V_0_1_now*q_t_1_now_by + q_t_0_now*s12 + q_t_1_now*s15
+        s35 = V_1_0_now*q_t_0_now_by + V_1_1_now*q_t_1_now_by + q_t_0_now*s18 + q_t_1_now*s21
+        s_by[0 + lane] = s12
+        s_by[32 + lane] = s15
+        s_by[64 + lane] = s18
+        s_by[96 + lane] = s21
+        s_by[128 + lane] = s28
+        s_by[160 + lane] = s35
+
+
+@straight
+def _curved_by(w, w_by, d, d_by, s, s_by, k, k_by, gravity, shares, inertia, n):
+    """Rates of second derivatives of a limb's equations by time where nothing accelerates (115 operations)."""
+    s6_now = k[0]
+    s9_now = k[1]
+    s12_now = k[2]
+    B_x_now = k[3]
+    B_y_now = k[4]
+    s6_now_by = k_by[0]
+    s9_now_by = k_by[1]
+    s12_now_by = k_by[2]
+    B_x_now_by = k_by[3]
+    B_y_now_by = k_by[4]
+    for lane in range(n):
+        q_now = w[0 + lane]
+        tx_now = w[32 + lane]
+        ty_now = w[64 + lane]
+        px_now = w[128 + lane]
+        py_now = w[160 + lane]
+        v_px_now = s[128 + lane]
+        v_py_now = s[160 + lane]
+        q_t_now = d[0 + lane]
+        px_now_by = w_by[128 + lane]
+        py_now_by = w_by[160 + lane]
+        v_px_now_by = s_by[128 + lane]
+        v_py_now_by = s_by[160 + lane]
+        q_t_now_by = d_by[0 + lane]
+        s7_now = q_now + s6_now
+        s8_now = cosine(s7_now)
+        s11_now = sine(s7_now)
+        C_x_now = B_x_now + s11_now*s12_now + s8_now*s9_now
+        C_y_now = B_y_now + s11_now*s9_now - s12_now*s8_now
+        A_x_now = px_now - tx_now
+        A_y_now = py_now - ty_now
+        d_x_now = A_x_now - C_x_now
+        d_y_now = A_y_now - C_y_now
+        s30_now = -q_t_now*s11_now
+        s32_now = q_t_now*s8_now
+        s38_now = -s12_now*s32_now - s30_now*s9_now + v_px_now
+        s39_now = s12_now*s30_now - s32_now*s9_now + v_py_now
+        s47_now = -q_t_now*s32_now
+        s49_now = q_t_now*s30_now
+        s35 = -s11_now*s6_now_by
+        s36 = s6_now_by*s8_now
+        s51 = -B_x_now_by + px_now_by - s11_now*s12_now_by - s12_now*s36 - s35*s9_now - s8_now*s9_now_by
+        s52 = -B_y_now_by + py_now_by - s11_now*s9_now_by + s12_now*s35 + s12_now_by*s8_now - s36*s9_now
+        s55 = -q_t_now*s36 - q_t_now_by*s11_now
+        s58 = q_t_now*s35 + q_t_now_by*s8_now
+        s75 = -q_t_now*s58 - q_t_now_by*s32_now
+        s78 = q_t_now*s55 + q_t_now_by*s30_now
+        s89 = -d_y_now*(-s12_now*s75 - s12_now_by*s47_now + s49_now*s9_now_by + s78*s9_now)
+        s90 = -s52*(-s12_now*s47_now + s49_now*s9_now) + s89
+        s91 = 2*s39_now*(s12_now*s55 + s12_now_by*s30_now - s32_now*s9_now_by - s58*s9_now + v_py_now_by) + s90
+        s102 = -d_x_now*(s12_now*s78 + s12_now_by*s49_now + s47_now*s9_now_by + s75*s9_now)
+        s103 = s102 - s51*(s12_now*s49_now + s47_now*s9_now)
+        s104 = s103 + 2*s38_now*(-s12_now*s58 - s12_now_by*s32_now - s30_now*s9_now_by - s55*s9_now + v_px_now_by) + s91
+        d_by[64 + lane] = s104
+
+
+@straight
+def _accelerate_by(w, w_by, d, d_by, s, s_by, k, k_by, gravity, shares, inertia, n):
+    """Rates of the platform's acceleration (30 operations)."""
+    for lane in range(n):
+        M_0_0_now = w[1920 + lane]
+        M_0_1_now = w[1952 + lane]
+        M_1_0_now = w[1984 + lane]
+        M_1_1_now = w[2016 + lane]
+        q_tt_0_now = d[32 + lane]
+        c_0_now = d[64 + lane]
+        q_tt_1_now = d[864 + lane]
+        c_1_now = d[896 + lane]
+        V_0_0_now = s[0 + lane]
+        V_0_1_now = s[32 + lane]
+        V_1_0_now = s[64 + lane]
+        V_1_1_now = s[96 + lane]
+        M_0_0_now_by = w_by[1920 + lane]
+        M_0_1_now_by = w_by[1952 + lane]
+        M_1_0_now_by = w_by[1984 + lane]
+        M_1_1_now_by = w_by[2016 + lane]
+        q_tt_0_now_by = d_by[32 + lane]
+        c_0_now_by = d_by[64 + lane]
+        q_tt_1_now_by = d_by[864 + lane]
+        c_1_now_by = d_by[896 + lane]
+        V_0_0_now_by = s_by[0 + lane]
+        V_0_1_now_by = s_by[32 + lane]
+        V_1_0_now_by = s_by[64 + lane]
+        V_1_1_now_by = s_by[96 + lane]
+        s21 = V_0_1_now*q_tt_1_now_by + V_0_1_now_by*q_tt_1_now
+        s22 = M_0_0_now*c_0_now_by + M_0_0_now_by*c_0_now + M_0_1_now*c_1_now_by + M_0_1_now_by*c_1_now + V_0_0_now*q_tt_0_now_by + V_0_0_now_by*q_tt_0_now + s21
+        s34 = V_1_1_now*q_tt_1_now_by + V_1_1_now_by*q_tt_1_now
+        s35 = M_1_0_now*c_0_now_by + M_1_0_now_by*c_0_now + M_1_1_now*c_1_now_by + M_1_1_now_by*c_1_now + V_1_0_now*q_tt_0_now_by + V_1_0_now_by*q_tt_0_now + s34
+        s_by[192 + lane] = s22
+        s_by[224 + lane] = s35
+
+
+@straight
+def _limb_fields_by(w, w_by, d, d_by, s, s_by, k, k_by, gravity, shares, inertia, n):
+    """Rates of gravity less acceleration of the points of a limb (67 operations)."""
+    s6_now = k[0]
+    s9_now = k[1]
+    s12_now = k[2]
+    s6_now_by = k_by[0]
+    s9_now_by = k_by[1]
+    s12_now_by = k_by[2]
+    for lane in range(n):
+        q_now = w[0 + lane]
+        q_t_now = d[0 + lane]
+        q_tt_now = d[32 + lane]
+        v_px_t_now_by = s_by[192 + lane]
+        v_py_t_now_by = s_by[224 + lane]
+        q_t_now_by = d_by[0 + lane]
+        q_tt_now_by = d_by[32 + lane]
+        s7_now = q_now + s6_now
+        s8_now = cosine(s7_now)
+        s11_now = sine(s7_now)
+        s4 = (q_t_now * q_t_now)
+        s281_now = -q_tt_now*s11_now - s4*s8_now
+        s284_now = q_tt_now*s8_now - s11_now*s4
+        s36 = -s11_now*s6_now_by
+        s37 = s6_now_by*s8_now
+        s42 = 2*q_t_now*q_t_now_by
+        s46 = -q_tt_now*s37 - q_tt_now_by*s11_now - s36*s4 - s42*s8_now
+        s49 = s281_now*s9_now_by + s46*s9_now
+        s56 = q_tt_now*s36 + q_tt_now_by*s8_now - s11_now*s42 - s37*s4
+        s60 = s12_now*s56 + s12_now_by*s284_now + s49
+        s63 = s284_now*s9_now_by + s56*s9_now
+        s67 = -s12_now*s46 - s12_now_by*s281_now + s63
+        s68 = -0.001*s49
+        s69 = -0.001*s63
+        s70 = -0.001*s60
+        s71 = -0.001*s67
+        s74 = -0.0005*s60 - 0.0005*v_px_t_now_by
+        s77 = -0.0005*s67 - 0.0005*v_py_t_now_by
+        s78 = -0.001*v_px_t_now_by
+        s79 = -0.001*v_py_t_now_by
+        d_by[192 + lane] = s68
+        d_by[224 + lane] = s69
+        d_by[288 + lane] = -s68
+        d_by[320 + lane] = -s69
+        d_by[384 + lane] = s70
+        d_by[416 + lane] = s71
+        d_by[480 + lane] = s74
+        d_by[512 + lane] = s77
+        d_by[576 + lane] = s78
+        d_by[608 + lane] = s79
+
+
+@straight
+def _limb_asks_by(w, w_by, d, d_by, s, s_by, k, k_by, gravity, shares, inertia, n):
+    """Rates of loads per inertial parameter of a limb, along joint, shifts and turns (130 operations)."""
+    share_now = shares[0]
+    s6_now = k[0]
+    s9_now = k[1]
+    s12_now = k[2]
+    s72_now = k[5]
+    s108_now = k[6]
+    s6_now_by = k_by[0]
+    s9_now_by = k_by[1]
+    s12_now_by = k_by[2]
+    s72_now_by = k_by[5]
+    s108_now_by = k_by[6]
+    for lane in range(n):
+        q_now = w[0 + lane]
+        f1x_now = d[192 + lane]
+        f1y_now = d[224 + lane]
+        f2x_now = d[288 + lane]
+        f2y_now = d[320 + lane]
+        f3x_now = d[384 + lane]
+        f3y_now = d[416 + lane]
+        f4x_now = d[480 + lane]
+        f4y_now = d[512 + lane]
+        f1x_now_by = d_by[192 + lane]
+        f1y_now_by = d_by[224 + lane]
+        f2x_now_by = d_by[288 + lane]
+        f2y_now_by = d_by[320 + lane]
+        f3x_now_by = d_by[384 + lane]
+        f3y_now_by = d_by[416 + lane]
+        f4x_now_by = d_by[480 + lane]
+        f4y_now_by = d_by[512 + lane]
+        f5x_now_by = d_by[576 + lane]
+        f5y_now_by = d_by[608 + lane]
+        s7_now = q_now + s6_now
+        s8_now = cosine(s7_now)
+        s11_now = sine(s7_now)
+        s5 = f1y_now*s72_now + f2y_now*s72_now
+        s9 = f1x_now*s72_now + f2x_now*s72_now
+        s14 = f1y_now*s108_now - f2y_now*s108_now
+        s18 = f1x_now*s108_now - f2x_now*s108_now
+        s142_now = 1 - 2*share_now
+        s156_now = 0.5*f4y_now*s142_now
+        s159_now = 0.5*f4x_now*s142_now
+        s171_now = f3y_now*share_now + s156_now
+        s176_now = f3x_now*share_now + s159_now
+        s42 = -s11_now*s6_now_by
+        s43 = s6_now_by*s8_now
+        s51 = s8_now*s9_now
+        s56 = s5*s8_now*s9_now_by
+        s57 = s42*s5*s9_now + s51*(f1y_now*s72_now_by + f1y_now_by*s72_now + f2y_now*s72_now_by + f2y_now_by*s72_now) + s56
+        s66 = -s11_now*s9_now
+        s70 = -s11_now*s9*s9_now_by
+        s71 = -s43*s9*s9_now + s66*(f1x_now*s72_now_by + f1x_now_by*s72_now + f2x_now*s72_now_by + f2x_now_by*s72_now) + s70
+        s72 = s57 + s71
+        s84 = s14*s8_now*s9_now_by
+        s85 = s14*s42*s9_now + s51*(f1y_now*s108_now_by + f1y_now_by*s108_now - f2y_now*s108_now_by - f2y_now_by*s108_now) + s84
+        s97 = -s11_now*s18*s9_now_by
+        s98 = -s18*s43*s9_now + s66*(f1x_now*s108_now_by + f1x_now_by*s108_now - f2x_now*s108_now_by - f2x_now_by*s108_now) + s97
+        s99 = s85 + s98
+        s100 = 0.5*s142_now
+        s102 = f4y_now_by*s100
+        s104 = f4x_now_by*s100
+        s106 = f5y_now_by*share_now + s102
+        s108 = f5x_now_by*share_now + s104
+        s110 = f3y_now_by*share_now + s102
+        s112 = f3x_now_by*share_now + s104
+        s121 = s42*(s12_now*s176_now + s171_now*s9_now)
+        s131 = -s11_now*(-s110*s12_now + s112*s9_now - s12_now_by*s171_now + s176_now*s9_now_by)
+        s132 = s131 - s43*(-s12_now*s171_now + s176_now*s9_now)
+        s133 = s121 + s132 + s8_now*(s110*s9_now + s112*s12_now + s12_now_by*s176_now + s171_now*s9_now_by)
+        d_by[672 + lane] = s72
+        d_by[704 + lane] = s99
+        d_by[736 + lane] = s133
+        d_by[768 + lane] = s108
+        d_by[800 + lane] = s106
+
+
+@straight
+def _platform_fields_by(w, w_by, d, d_by, s, s_by, k, k_by, gravity, shares, inertia, n):
+    """Rates of gravity less acceleration of the points of a platform (4 operations)."""
+    for lane in range(n):
+        v_px_t_now_by = s_by[192 + lane]
+        v_py_t_now_by = s_by[224 + lane]
+        s4 = -0.001*v_px_t_now_by
+        s5 = -0.001*v_py_t_now_by
+        s_by[256 + lane] = s4
+        s_by[288 + lane] = s5
+        s_by[352 + lane] = s4
+        s_by[384 + lane] = s5
+
+
+@straight
+def _platform_asks_by(w, w_by, d, d_by, s, s_by, k, k_by, gravity, shares, inertia, n):
+    """Rates of loads per inertial parameter of a platform, along joint, shifts and turns (0 operations)."""
+    for lane in range(n):
+        f0x_now_by = s_by[256 + lane]
+        f0y_now_by = s_by[288 + lane]
+        f1x_now_by = s_by[352 + lane]
+        f1y_now_by = s_by[384 + lane]
+        s_by[448 + lane] = f0x_now_by
+        s_by[480 + lane] = f0y_now_by
+        s_by[512 + lane] = f1x_now_by
+        s_by[544 + lane] = f1y_now_by
+
+
+@straight
+def _give_by(w, w_by, d, d_by, s, s_by, k, k_by, gravity, shares, inertia, n):
+    """Rates of what the joints give (56 operations)."""
+    m_1_now = inertia[1]
+    m_2_now = inertia[2]
+    m_3_now = inertia[3]
+    m_5_now = inertia[5]
+    m_6_now = inertia[6]
+    m_7_now = inertia[7]
+    m_8_now = inertia[8]
+    m_9_now = inertia[9]
+    for lane in range(n):
+        a_0_3_now = d[768 + lane]
+        a_0_4_now = d[800 + lane]
+        a_1_3_now = d[1600 + lane]
+        a_1_4_now = d[1632 + lane]
+        a_p_0_now = s[448 + lane]
+        a_p_1_now = s[480 + lane]
+        a_p_2_now = s[512 + lane]
+        a_p_3_now = s[544 + lane]
+        V_0_0_now = s[0 + lane]
+        V_0_1_now = s[32 + lane]
+        V_1_0_now = s[64 + lane]
+        V_1_1_now = s[96 + lane]
+        a_0_0_now_by = d_by[672 + lane]
+        a_0_1_now_by = d_by[704 + lane]
+        a_0_2_now_by = d_by[736 + lane]
+        a_0_3_now_by = d_by[768 + lane]
+        a_0_4_now_by = d_by[800 + lane]
+        a_1_0_now_by = d_by[1504 + lane]
+        a_1_1_now_by = d_by[1536 + lane]
+        a_1_2_now_by = d_by[1568 + lane]
+        a_1_3_now_by = d_by[1600 + lane]
+        a_1_4_now_by = d_by[1632 + lane]
+        a_p_0_now_by = s_by[448 + lane]
+        a_p_1_now_by = s_by[480 + lane]
+        a_p_2_now_by = s_by[512 + lane]
+        a_p_3_now_by = s_by[544 + lane]
+        V_0_0_now_by = s_by[0 + lane]
+        V_0_1_now_by = s_by[32 + lane]
+        V_1_0_now_by = s_by[64 + lane]
+        V_1_1_now_by = s_by[96 + lane]
+        W_0_now = a_0_3_now*m_3_now + a_1_3_now*m_7_now + a_p_0_now*m_8_now + a_p_2_now*m_9_now
+        W_1_now = a_0_4_now*m_3_now + a_1_4_now*m_7_now + a_p_1_now*m_8_now + a_p_3_now*m_9_now
+        s26 = a_0_3_now_by*m_3_now + a_1_3_now_by*m_7_now + a_p_0_now_by*m_8_now + a_p_2_now_by*m_9_now
+        s31 = a_0_4_now_by*m_3_now + a_1_4_now_by*m_7_now + a_p_1_now_by*m_8_now + a_p_3_now_by*m_9_now
+        s40 = -a_0_2_now_by*m_3_now
+        s41 = -V_0_0_now*s26 - V_0_0_now_by*W_0_now - V_1_0_now*s31 - V_1_0_now_by*W_1_now - a_0_0_now_by*m_1_now - a_0_1_now_by*m_2_now + s40
+        s50 = -a_1_2_now_by*m_7_now
+        s51 = -V_0_1_now*s26 - V_0_1_now_by*W_0_now - V_1_1_now*s31 - V_1_1_now_by*W_1_now - a_1_0_now_by*m_5_now - a_1_1_now_by*m_6_now + s50
+        s_by[576 + lane] = s41
+        s_by[608 + lane] = s51
+
+
+@straight
+def _held(w, size):
+    """Begin with nothing that changes."""
+    for n in range(size):
+        w[n] = 0.0
+
+
+@straight
+def _pay_by(w, s_by, tau, first, last):
+    """Write how what the joints give changes."""
+    for lane in range(last - first + 1):
+        regular = (w[2048 + lane] > 0.0)
+        tau[2 * (first + lane) + 0] = s_by[576 + lane] if regular else math.nan
+        tau[2 * (first + lane) + 1] = s_by[608 + lane] if regular else math.nan
+
+
+@fast
+def _torque_by(x, x_by, motion, tool, k, k_by, c, c_by, gravity, shares, inertia, tau):
+    found, moves = tau.reshape(tau.size), x_by.reshape(x_by.size)
+    w_by, d_by, s_by = scratch(WORK), scratch(2 * OWN), scratch(SHARED)
+    _held(w_by, WORK)
+    _held(d_by, 2 * OWN)
+    _held(s_by, SHARED)
+    u_1, e_1 = w_by[0:896], d_by[0 * OWN:1 * OWN]
+    u_2, e_2 = w_by[896:1792], d_by[1 * OWN:2 * OWN]
+    w, d, s = scratch(WORK), scratch(2 * OWN), scratch(SHARED)
+    w_1 = w[0:896]
+    w_2 = w[896:1792]
+    d_1 = d[0 * OWN:1 * OWN]
+    d_2 = d[1 * OWN:2 * OWN]
+    states = motion.reshape(motion.size)
+    samples, machines = len(x), k.shape[0]
+    speeds, accelerations = states[samples * 2 :], states[2 * samples * 2 :]
+    if len(tool) == 1:
+        hold(tool, w, 0, 0, LANES)
+    each = samples // machines
+    for m in range(machines):
+        k_1, own_1 = k[m, 0], c[m, 0]
+        k_2, own_2 = k[m, 1], c[m, 1]
+        for first in range(m * each, (m + 1) * each, LANES):
+            last = min(first + LANES, (m + 1) * each) - 1
+            n = (last - first + 8) // 8 * 8
+            load(states, w, first, last, n)
+            if len(tool) > 1:
+                hold(tool, w, first, last, n)
+            _rates(speeds, accelerations, d, first, last, n)
+            _place(x, w, first, last, n)
+            _begin(w, n)
+            _move_platform(w, n)
+            _early(w_1, k_1, n)
+            _more(w_1, k_1, n)
+            _rows(w_1, k_1, n)
+            _joints(w_1, k_1, n)
+            _early(w_2, k_2, n)
+            _more(w_2, k_2, n)
+            _rows(w_2, k_2, n)
+            _joints(w_2, k_2, n)
+            _inverse_of_rows(w, n)
+            _move(w, d, s, n)
+            _curved(w_1, d_1, s, own_1, gravity, shares[0:], n)
+            _curved(w_2, d_2, s, own_2, gravity, shares[1:], n)
+            _accelerate(w, d, s, n)
+            _limb_fields(w_1, d_1, s, own_1, gravity, shares[0:], n)
+            _limb_fields(w_2, d_2, s, own_2, gravity, shares[1:], n)
+            _limb_asks(w_1, d_1, s, own_1, gravity, shares[0:], n)
+            _limb_asks(w_2, d_2, s, own_2, gravity, shares[1:], n)
+            _platform_fields(w, d, s, gravity, n)
+            _platform_asks(w, d, s, n)
+            _give(d, s, inertia, n)
+            for e in range(len(k_by)):
+                k_by_1, own_by_1 = k_by[e, 0], c_by[e, 0]
+                k_by_2, own_by_2 = k_by[e, 1], c_by[e, 1]
+                _place(moves[e * samples * 2 :], w_by, first, last, n)
+                _move_platform_by(w, w_by, d, d_by, s, s_by, k_1, k_by_1, gravity, shares, inertia, n)
+                _early_by(
+                    w_1, u_1, d_1, e_1, s, s_by, k_1, k_by_1,
+                    gravity, shares[0:], inertia, n,
+                )
+                _more_by(
+                    w_1, u_1, d_1, e_1, s, s_by, k_1, k_by_1,
+                    gravity, shares[0:], inertia, n,
+                )
+                _rows_by(
+                    w_1, u_1, d_1, e_1, s, s_by, k_1, k_by_1,
+                    gravity, shares[0:], inertia, n,
+                )
+                _joints_by(
+                    w_1, u_1, d_1, e_1, s, s_by, k_1, k_by_1,
+                    gravity, shares[0:], inertia, n,
+                )
+                _early_by(
+                    w_2, u_2, d_2, e_2, s, s_by, k_2, k_by_2,
+                    gravity, shares[1:], inertia, n,
+                )
+                _more_by(
+                    w_2, u_2, d_2, e_2, s, s_by, k_2, k_by_2,
+                    gravity, shares[1:], inertia, n,
+                )
+                _rows_by(
+                    w_2, u_2, d_2, e_2, s, s_by, k_2, k_by_2,
+                    gravity, shares[1:], inertia, n,
+                )
+                _joints_by(
+                    w_2, u_2, d_2, e_2, s, s_by, k_2, k_by_2,
+                    gravity, shares[1:], inertia, n,
+                )
+                _inverse_by(w, w_by, d, d_by, s, s_by, k_1, k_by_1, gravity, shares, inertia, n)
+                _move_by(w, w_by, d, d_by, s, s_by, k_1, k_by_1, gravity, shares, inertia, n)
+                _curved_by(
+                    w_1, u_1, d_1, e_1, s, s_by, own_1, own_by_1,
+                    gravity, shares[0:], inertia, n,
+                )
+                _curved_by(
+                    w_2, u_2, d_2, e_2, s, s_by, own_2, own_by_2,
+                    gravity, shares[1:], inertia, n,
+                )
+                _accelerate_by(w, w_by, d, d_by, s, s_by, k_1, k_by_1, gravity, shares, inertia, n)
+                _limb_fields_by(
+                    w_1, u_1, d_1, e_1, s, s_by, own_1, own_by_1,
+                    gravity, shares[0:], inertia, n,
+                )
+                _limb_asks_by(
+                    w_1, u_1, d_1, e_1, s, s_by, own_1, own_by_1,
+                    gravity, shares[0:], inertia, n,
+                )
+                _limb_fields_by(
+                    w_2, u_2, d_2, e_2, s, s_by, own_2, own_by_2,
+                    gravity, shares[1:], inertia, n,
+                )
+                _limb_asks_by(
+                    w_2, u_2, d_2, e_2, s, s_by, own_2, own_by_2,
+                    gravity, shares[1:], inertia, n,
+                )
+                _platform_fields_by(w, w_by, d, d_by, s, s_by, k_1, k_by_1, gravity, shares, inertia, n)
+                _platform_asks_by(w, w_by, d, d_by, s, s_by, k_1, k_by_1, gravity, shares, inertia, n)
+                _give_by(w, w_by, d, d_by, s, s_by, k_1, k_by_1, gravity, shares, inertia, n)
+                _pay_by(w, s_by, found[e * samples * 2 :], first, last)
+
+
+def torque_by(x, x_by, motion, tool, k, k_by, c, c_by, gravity, shares, inertia, tau):
+    """Fill tau (E, N, 2) [N mm, N]: how `torque` of one machine changes along each of E errors, joints held.
+
+    x_by (E, N, 2) is how its platform moves along them, k_by and c_by are what `constants_by` makes of them.
+    """
+    _torque_by(x, x_by, motion, tool, k, k_by, c, c_by, gravity, shares, inertia, tau)

@@ -1,7 +1,7 @@
 """Dynamics of `serial`, many samples at once: Open chain of revolute and prismatic joints.
 
 Generated from derive/mechanisms/serial.py by "deltacal kernels". Do not edit.
-Template templates/chain/dynamics.py.jinja; sha256 of both 4c8f0426c0ad0ade; SymPy 1.14.0.
+Template templates/chain/dynamics.py.jinja; sha256 of both 0108ce8d2f77ef6a; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the sample first; mm, rad, s, kg, N:
 
@@ -1160,3 +1160,1033 @@ def _regressor(motion, gravity, k, conventions, drives, much, Y):
 def regressor(motion, gravity, k, conventions, drives, much, Y):
     """Fill Y (N, n_q, 10 links): what the joints must give for each inertial parameter, link by link, which is 1."""
     _regressor(motion, gravity, k, conventions, drives, much, Y)
+
+
+@straight
+def _fill_by(p, p_by, k, rows):
+    """Fill the rates of what no sample changes of the links."""
+    for lane in range(rows):
+        alpha_now = p[12 * lane + 1]
+        dalpha_now = p[12 * lane + 5]
+        dbeta_now = p[12 * lane + 8]
+        a_now_by = p_by[12 * lane + 0]
+        alpha_now_by = p_by[12 * lane + 1]
+        d_now_by = p_by[12 * lane + 2]
+        theta_now_by = p_by[12 * lane + 3]
+        da_now_by = p_by[12 * lane + 4]
+        dalpha_now_by = p_by[12 * lane + 5]
+        dd_now_by = p_by[12 * lane + 6]
+        dtheta_now_by = p_by[12 * lane + 7]
+        dbeta_now_by = p_by[12 * lane + 8]
+        about_x_now = alpha_now + dalpha_now
+        s26_now = cosine(dbeta_now)
+        s28_now = cosine(about_x_now)
+        s33_now = sine(about_x_now)
+        s36_now = sine(dbeta_now)
+        s8 = dtheta_now_by + theta_now_by
+        s9 = d_now_by + dd_now_by
+        s10 = a_now_by + da_now_by
+        s11 = alpha_now_by + dalpha_now_by
+        s12 = -dbeta_now_by*s36_now
+        s13 = -s11*s33_now
+        s14 = s11*s28_now
+        s15 = dbeta_now_by*s26_now
+        k[7 * lane + 0] = s8
+        k[7 * lane + 1] = s9
+        k[7 * lane + 2] = s10
+        k[7 * lane + 3] = s12
+        k[7 * lane + 4] = s13
+        k[7 * lane + 5] = s14
+        k[7 * lane + 6] = s15
+
+
+@fast
+def _constants_by(p, p_by, k):
+    _fill_by(p, p_by, k, p.shape[0] * p.shape[1])
+
+
+def constants_by(p, p_by):
+    """Return how `constants` change (E, links, 7) as p (1, links, 12) does along each of p_by."""
+    p_by = np.ascontiguousarray(p_by, dtype=float)
+    k_by = np.empty((*p_by.shape[:2], 7))
+    _constants_by(np.repeat(p, len(p_by), axis=0), p_by, k_by)
+    return k_by
+
+
+@straight
+def _move_standard_by(w, w_by, n):
+    """Rates of a link, standard convention: its frame, and how that moves, by the one before (846 operations)."""
+    for lane in range(n):
+        turn_now = w[0 + lane]
+        slide_now = w[32 + lane]
+        turn_t_now = w[64 + lane]
+        slide_t_now = w[96 + lane]
+        turn_tt_now = w[128 + lane]
+        slide_tt_now = w[160 + lane]
+        R_00_now = w[288 + lane]
+        R_01_now = w[320 + lane]
+        R_02_now = w[352 + lane]
+        R_10_now = w[384 + lane]
+        R_11_now = w[416 + lane]
+        R_12_now = w[448 + lane]
+        R_20_now = w[480 + lane]
+        R_21_now = w[512 + lane]
+        R_22_now = w[544 + lane]
+        R_00_t_now = w[672 + lane]
+        R_01_t_now = w[704 + lane]
+        R_02_t_now = w[736 + lane]
+        R_10_t_now = w[768 + lane]
+        R_11_t_now = w[800 + lane]
+        R_12_t_now = w[832 + lane]
+        R_20_t_now = w[864 + lane]
+        R_21_t_now = w[896 + lane]
+        R_22_t_now = w[928 + lane]
+        R_00_tt_now = w[1056 + lane]
+        R_01_tt_now = w[1088 + lane]
+        R_02_tt_now = w[1120 + lane]
+        R_10_tt_now = w[1152 + lane]
+        R_11_tt_now = w[1184 + lane]
+        R_12_tt_now = w[1216 + lane]
+        R_20_tt_now = w[1248 + lane]
+        R_21_tt_now = w[1280 + lane]
+        R_22_tt_now = w[1312 + lane]
+        s0_now = w[1344 + lane]
+        s2_now = w[1376 + lane]
+        along_x_now = w[1408 + lane]
+        s26_now = w[1440 + lane]
+        s28_now = w[1472 + lane]
+        s33_now = w[1504 + lane]
+        s36_now = w[1536 + lane]
+        ox_now_by = w_by[192 + lane]
+        oy_now_by = w_by[224 + lane]
+        oz_now_by = w_by[256 + lane]
+        R_00_now_by = w_by[288 + lane]
+        R_01_now_by = w_by[320 + lane]
+        R_02_now_by = w_by[352 + lane]
+        R_10_now_by = w_by[384 + lane]
+        R_11_now_by = w_by[416 + lane]
+        R_12_now_by = w_by[448 + lane]
+        R_20_now_by = w_by[480 + lane]
+        R_21_now_by = w_by[512 + lane]
+        R_22_now_by = w_by[544 + lane]
+        ox_t_now_by = w_by[576 + lane]
+        oy_t_now_by = w_by[608 + lane]
+        oz_t_now_by = w_by[640 + lane]
+        R_00_t_now_by = w_by[672 + lane]
+        R_01_t_now_by = w_by[704 + lane]
+        R_02_t_now_by = w_by[736 + lane]
+        R_10_t_now_by = w_by[768 + lane]
+        R_11_t_now_by = w_by[800 + lane]
+        R_12_t_now_by = w_by[832 + lane]
+        R_20_t_now_by = w_by[864 + lane]
+        R_21_t_now_by = w_by[896 + lane]
+        R_22_t_now_by = w_by[928 + lane]
+        ox_tt_now_by = w_by[960 + lane]
+        oy_tt_now_by = w_by[992 + lane]
+        oz_tt_now_by = w_by[1024 + lane]
+        R_00_tt_now_by = w_by[1056 + lane]
+        R_01_tt_now_by = w_by[1088 + lane]
+        R_02_tt_now_by = w_by[1120 + lane]
+        R_10_tt_now_by = w_by[1152 + lane]
+        R_11_tt_now_by = w_by[1184 + lane]
+        R_12_tt_now_by = w_by[1216 + lane]
+        R_20_tt_now_by = w_by[1248 + lane]
+        R_21_tt_now_by = w_by[1280 + lane]
+        R_22_tt_now_by = w_by[1312 + lane]
+        s0_now_by = w_by[1344 + lane]
+        s2_now_by = w_by[1376 + lane]
+        along_x_now_by = w_by[1408 + lane]
+        s26_now_by = w_by[1440 + lane]
+        s28_now_by = w_by[1472 + lane]
+        s33_now_by = w_by[1504 + lane]
+        s36_now_by = w_by[1536 + lane]
+        about_z_now = s0_now + turn_now
+        along_z_now = s2_now + slide_now
+        s7_now = cosine(about_z_now)
+        s9_now = sine(about_z_now)
+        s11_now = R_00_now*s7_now + R_01_now*s9_now
+        s17_now = R_10_now*s7_now + R_11_now*s9_now
+        s23_now = R_20_now*s7_now + R_21_now*s9_now
+        s32_now = -R_00_now*s9_now + R_01_now*s7_now
+        s35_now = R_02_now*s28_now - s32_now*s33_now
+        s49_now = -R_10_now*s9_now + R_11_now*s7_now
+        s51_now = R_12_now*s28_now - s33_now*s49_now
+        s64_now = -R_20_now*s9_now + R_21_now*s7_now
+        s66_now = R_22_now*s28_now - s33_now*s64_now
+        s78_now = -s9_now*turn_t_now
+        s82_now = s7_now*turn_t_now
+        s86_now = R_00_now*s78_now + R_00_t_now*s7_now + R_01_now*s82_now + R_01_t_now*s9_now
+        s98_now = R_10_now*s78_now + R_10_t_now*s7_now + R_11_now*s82_now + R_11_t_now*s9_now
+        s110_now = R_20_now*s78_now + R_20_t_now*s7_now + R_21_now*s82_now + R_21_t_now*s9_now
+        s121_now = -R_00_now*s82_now - R_00_t_now*s9_now + R_01_now*s78_now + R_01_t_now*s7_now
+        s123_now = R_02_t_now*s28_now - s121_now*s33_now
+        s140_now = -R_10_now*s82_now - R_10_t_now*s9_now + R_11_now*s78_now + R_11_t_now*s7_now
+        s142_now = R_12_t_now*s28_now - s140_now*s33_now
+        s159_now = -R_20_now*s82_now - R_20_t_now*s9_now + R_21_now*s78_now + R_21_t_now*s7_now
+        s161_now = R_22_t_now*s28_now - s159_now*s33_now
+        s178_now = -s82_now*turn_t_now - s9_now*turn_tt_now
+        s180_now = R_00_t_now*s78_now
+        s187_now = s78_now*turn_t_now + s7_now*turn_tt_now
+        s189_now = R_01_t_now*s82_now
+        s194_now = R_00_now*s178_now + R_00_tt_now*s7_now + R_01_now*s187_now + R_01_tt_now*s9_now + 2*s180_now + 2*s189_now
+        s204_now = R_10_t_now*s78_now
+        s210_now = R_11_t_now*s82_now
+        s215_now = R_10_now*s178_now + R_10_tt_now*s7_now + R_11_now*s187_now + R_11_tt_now*s9_now + 2*s204_now + 2*s210_now
+        s225_now = R_20_t_now*s78_now
+        s231_now = R_21_t_now*s82_now
+        s236_now = R_20_now*s178_now + R_20_tt_now*s7_now + R_21_now*s187_now + R_21_tt_now*s9_now + 2*s225_now + 2*s231_now
+        s242_now = R_01_t_now*s78_now
+        s248_now = -R_00_t_now*s82_now
+        s253_now = -R_00_now*s187_now - R_00_tt_now*s9_now + R_01_now*s178_now + R_01_tt_now*s7_now + 2*s242_now + 2*s248_now
+        s255_now = R_02_tt_now*s28_now - s253_now*s33_now
+        s267_now = R_11_t_now*s78_now
+        s273_now = -R_10_t_now*s82_now
+        s278_now = -R_10_now*s187_now - R_10_tt_now*s9_now + R_11_now*s178_now + R_11_tt_now*s7_now + 2*s267_now + 2*s273_now
+        s280_now = R_12_tt_now*s28_now - s278_now*s33_now
+        s292_now = R_21_t_now*s78_now
+        s298_now = -R_20_t_now*s82_now
+        s303_now = -R_20_now*s187_now - R_20_tt_now*s9_now + R_21_now*s178_now + R_21_tt_now*s7_now + 2*s292_now + 2*s298_now
+        s305_now = R_22_tt_now*s28_now - s303_now*s33_now
+        s261 = -s0_now_by*s9_now
+        s262 = s0_now_by*s7_now
+        s269 = R_00_now*s261 + R_00_now_by*s7_now + R_01_now*s262 + R_01_now_by*s9_now
+        s276 = R_02_now*s2_now_by + R_02_now_by*along_z_now + along_x_now*s269 + along_x_now_by*s11_now + ox_now_by
+        s283 = R_10_now*s261 + R_10_now_by*s7_now + R_11_now*s262 + R_11_now_by*s9_now
+        s290 = R_12_now*s2_now_by + R_12_now_by*along_z_now + along_x_now*s283 + along_x_now_by*s17_now + oy_now_by
+        s297 = R_20_now*s261 + R_20_now_by*s7_now + R_21_now*s262 + R_21_now_by*s9_now
+        s304 = R_22_now*s2_now_by + R_22_now_by*along_z_now + along_x_now*s297 + along_x_now_by*s23_now + oz_now_by
+        s311 = -R_00_now*s262 - R_00_now_by*s9_now + R_01_now*s261 + R_01_now_by*s7_now
+        s318 = R_02_now*s28_now_by + R_02_now_by*s28_now - s311*s33_now - s32_now*s33_now_by
+        s325 = s11_now*s26_now_by + s269*s26_now - s318*s36_now - s35_now*s36_now_by
+        s332 = R_02_now*s33_now_by + R_02_now_by*s33_now + s28_now*s311 + s28_now_by*s32_now
+        s339 = s11_now*s36_now_by + s269*s36_now + s26_now*s318 + s26_now_by*s35_now
+        s346 = -R_10_now*s262 - R_10_now_by*s9_now + R_11_now*s261 + R_11_now_by*s7_now
+        s353 = R_12_now*s28_now_by + R_12_now_by*s28_now - s33_now*s346 - s33_now_by*s49_now
+        s360 = s17_now*s26_now_by + s26_now*s283 - s353*s36_now - s36_now_by*s51_now
+        s367 = R_12_now*s33_now_by + R_12_now_by*s33_now + s28_now*s346 + s28_now_by*s49_now
+        s374 = s17_now*s36_now_by + s26_now*s353 + s26_now_by*s51_now + s283*s36_now
+        s381 = -R_20_now*s262 - R_20_now_by*s9_now + R_21_now*s261 + R_21_now_by*s7_now
+        s388 = R_22_now*s28_now_by + R_22_now_by*s28_now - s33_now*s381 - s33_now_by*s64_now
+        s395 = s23_now*s26_now_by + s26_now*s297 - s36_now*s388 - s36_now_by*s66_now
+        s402 = R_22_now*s33_now_by + R_22_now_by*s33_now + s28_now*s381 + s28_now_by*s64_now
+        s409 = s23_now*s36_now_by + s26_now*s388 + s26_now_by*s66_now + s297*s36_now
+        s410 = -s262*turn_t_now
+        s411 = s261*turn_t_now
+        s423 = R_01_t_now*s262 + R_01_t_now_by*s9_now
+        s424 = R_00_now*s410 + R_00_now_by*s78_now + R_00_t_now*s261 + R_00_t_now_by*s7_now + R_01_now*s411 + R_01_now_by*s82_now + s423
+        s432 = R_02_now_by*slide_t_now + R_02_t_now*s2_now_by + R_02_t_now_by*along_z_now + along_x_now*s424 + along_x_now_by*s86_now + ox_t_now_by
+        s444 = R_11_t_now*s262 + R_11_t_now_by*s9_now
+        s445 = R_10_now*s410 + R_10_now_by*s78_now + R_10_t_now*s261 + R_10_t_now_by*s7_now + R_11_now*s411 + R_11_now_by*s82_now + s444
+        s453 = R_12_now_by*slide_t_now + R_12_t_now*s2_now_by + R_12_t_now_by*along_z_now + along_x_now*s445 + along_x_now_by*s98_now + oy_t_now_by
+        s465 = R_21_t_now*s262 + R_21_t_now_by*s9_now
+        s466 = R_20_now*s410 + R_20_now_by*s78_now + R_20_t_now*s261 + R_20_t_now_by*s7_now + R_21_now*s411 + R_21_now_by*s82_now + s465
+        s474 = R_22_now_by*slide_t_now + R_22_t_now*s2_now_by + R_22_t_now_by*along_z_now + along_x_now*s466 + along_x_now_by*s110_now + oz_t_now_by
+        s486 = -R_00_t_now*s262 - R_00_t_now_by*s9_now
+        s487 = -R_00_now*s411 - R_00_now_by*s82_now + R_01_now*s410 + R_01_now_by*s78_now + R_01_t_now*s261 + R_01_t_now_by*s7_now + s486
+        s494 = R_02_t_now*s28_now_by + R_02_t_now_by*s28_now - s121_now*s33_now_by - s33_now*s487
+        s501 = -s123_now*s36_now_by + s26_now*s424 + s26_now_by*s86_now - s36_now*s494
+        s508 = R_02_t_now*s33_now_by + R_02_t_now_by*s33_now + s121_now*s28_now_by + s28_now*s487
+        s515 = s123_now*s26_now_by + s26_now*s494 + s36_now*s424 + s36_now_by*s86_now
+        s527 = -R_10_t_now*s262 - R_10_t_now_by*s9_now
+        s528 = -R_10_now*s411 - R_10_now_by*s82_now + R_11_now*s410 + R_11_now_by*s78_now + R_11_t_now*s261 + R_11_t_now_by*s7_now + s527
+        s535 = R_12_t_now*s28_now_by + R_12_t_now_by*s28_now - s140_now*s33_now_by - s33_now*s528
+        s542 = -s142_now*s36_now_by + s26_now*s445 + s26_now_by*s98_now - s36_now*s535
+        s549 = R_12_t_now*s33_now_by + R_12_t_now_by*s33_now + s140_now*s28_now_by + s28_now*s528
+        s556 = s142_now*s26_now_by + s26_now*s535 + s36_now*s445 + s36_now_by*s98_now
+        s568 = -R_20_t_now*s262 - R_20_t_now_by*s9_now
+        s569 = -R_20_now*s411 - R_20_now_by*s82_now + R_21_now*s410 + R_21_now_by*s78_now + R_21_t_now*s261 + R_21_t_now_by*s7_now + s568
+        s576 = R_22_t_now*s28_now_by + R_22_t_now_by*s28_now - s159_now*s33_now_by - s33_now*s569
+        s583 = s110_now*s26_now_by - s161_now*s36_now_by + s26_now*s466 - s36_now*s576
+        s590 = R_22_t_now*s33_now_by + R_22_t_now_by*s33_now + s159_now*s28_now_by + s28_now*s569
+        s597 = s110_now*s36_now_by + s161_now*s26_now_by + s26_now*s576 + s36_now*s466
+        s601 = -s262*turn_tt_now - s411*turn_t_now
+        s607 = s261*turn_tt_now + s410*turn_t_now
+        s612 = 2*R_01_t_now*s411 + 2*R_01_t_now_by*s82_now
+        s615 = R_00_now*s601 + R_00_now_by*s178_now
+        s618 = R_00_tt_now*s261 + R_00_tt_now_by*s7_now
+        s621 = R_01_now*s607 + R_01_now_by*s187_now
+        s624 = R_01_tt_now*s262 + R_01_tt_now_by*s9_now
+        s625 = 2*R_00_t_now*s410 + 2*R_00_t_now_by*s78_now + s612 + s615 + s618 + s621 + s624
+        s633 = along_x_now*s625 + along_x_now_by*s194_now
+        s634 = R_02_now_by*slide_tt_now + 2*R_02_t_now_by*slide_t_now + R_02_tt_now*s2_now_by + R_02_tt_now_by*along_z_now + ox_tt_now_by + s633
+        s643 = 2*R_11_t_now*s411 + 2*R_11_t_now_by*s82_now
+        s646 = R_10_now*s601 + R_10_now_by*s178_now
+        s649 = R_10_tt_now*s261 + R_10_tt_now_by*s7_now
+        s652 = R_11_now*s607 + R_11_now_by*s187_now
+        s655 = R_11_tt_now*s262 + R_11_tt_now_by*s9_now
+        s656 = 2*R_10_t_now*s410 + 2*R_10_t_now_by*s78_now + s643 + s646 + s649 + s652 + s655
+        s664 = along_x_now*s656 + along_x_now_by*s215_now
+        s665 = R_12_now_by*slide_tt_now + 2*R_12_t_now_by*slide_t_now + R_12_tt_now*s2_now_by + R_12_tt_now_by*along_z_now + oy_tt_now_by + s664
+        s674 = 2*R_21_t_now*s411 + 2*R_21_t_now_by*s82_now
+        s677 = R_20_now*s601 + R_20_now_by*s178_now
+        s680 = R_20_tt_now*s261 + R_20_tt_now_by*s7_now
+        s683 = R_21_now*s607 + R_21_now_by*s187_now
+        s686 = R_21_tt_now*s262 + R_21_tt_now_by*s9_now
+        s687 = 2*R_20_t_now*s410 + 2*R_20_t_now_by*s78_now + s674 + s677 + s680 + s683 + s686
+        s695 = along_x_now*s687 + along_x_now_by*s236_now
+        s696 = R_22_now_by*slide_tt_now + 2*R_22_t_now_by*slide_t_now + R_22_tt_now*s2_now_by + R_22_tt_now_by*along_z_now + oz_tt_now_by + s695
+        s704 = -2*R_00_t_now*s411 - 2*R_00_t_now_by*s82_now
+        s707 = R_01_now*s601 + R_01_now_by*s178_now
+        s710 = R_01_tt_now*s261 + R_01_tt_now_by*s7_now
+        s713 = -R_00_now*s607 - R_00_now_by*s187_now
+        s716 = -R_00_tt_now*s262 - R_00_tt_now_by*s9_now
+        s717 = 2*R_01_t_now*s410 + 2*R_01_t_now_by*s78_now + s704 + s707 + s710 + s713 + s716
+        s724 = R_02_tt_now*s28_now_by + R_02_tt_now_by*s28_now - s253_now*s33_now_by - s33_now*s717
+        s731 = s194_now*s26_now_by - s255_now*s36_now_by + s26_now*s625 - s36_now*s724
+        s738 = R_02_tt_now*s33_now_by + R_02_tt_now_by*s33_now + s253_now*s28_now_by + s28_now*s717
+        s745 = s194_now*s36_now_by + s255_now*s26_now_by + s26_now*s724 + s36_now*s625
+        s753 = -2*R_10_t_now*s411 - 2*R_10_t_now_by*s82_now
+        s756 = R_11_now*s601 + R_11_now_by*s178_now
+        s759 = R_11_tt_now*s261 + R_11_tt_now_by*s7_now
+        s762 = -R_10_now*s607 - R_10_now_by*s187_now
+        s765 = -R_10_tt_now*s262 - R_10_tt_now_by*s9_now
+        s766 = 2*R_11_t_now*s410 + 2*R_11_t_now_by*s78_now + s753 + s756 + s759 + s762 + s765
+        s773 = R_12_tt_now*s28_now_by + R_12_tt_now_by*s28_now - s278_now*s33_now_by - s33_now*s766
+        s780 = s215_now*s26_now_by + s26_now*s656 - s280_now*s36_now_by - s36_now*s773
+        s787 = R_12_tt_now*s33_now_by + R_12_tt_now_by*s33_now + s278_now*s28_now_by + s28_now*s766
+        s794 = s215_now*s36_now_by + s26_now*s773 + s26_now_by*s280_now + s36_now*s656
+        s802 = -2*R_20_t_now*s411 - 2*R_20_t_now_by*s82_now
+        s805 = R_21_now*s601 + R_21_now_by*s178_now
+        s808 = R_21_tt_now*s261 + R_21_tt_now_by*s7_now
+        s811 = -R_20_now*s607 - R_20_now_by*s187_now
+        s814 = -R_20_tt_now*s262 - R_20_tt_now_by*s9_now
+        s815 = 2*R_21_t_now*s410 + 2*R_21_t_now_by*s78_now + s802 + s805 + s808 + s811 + s814
+        s822 = R_22_tt_now*s28_now_by + R_22_tt_now_by*s28_now - s303_now*s33_now_by - s33_now*s815
+        s829 = s236_now*s26_now_by + s26_now*s687 - s305_now*s36_now_by - s36_now*s822
+        s836 = R_22_tt_now*s33_now_by + R_22_tt_now_by*s33_now + s28_now*s815 + s28_now_by*s303_now
+        s843 = s236_now*s36_now_by + s26_now*s822 + s26_now_by*s305_now + s36_now*s687
+        w_by[192 + lane] = s276
+        w_by[224 + lane] = s290
+        w_by[256 + lane] = s304
+        w_by[288 + lane] = s325
+        w_by[320 + lane] = s332
+        w_by[352 + lane] = s339
+        w_by[384 + lane] = s360
+        w_by[416 + lane] = s367
+        w_by[448 + lane] = s374
+        w_by[480 + lane] = s395
+        w_by[512 + lane] = s402
+        w_by[544 + lane] = s409
+        w_by[576 + lane] = s432
+        w_by[608 + lane] = s453
+        w_by[640 + lane] = s474
+        w_by[672 + lane] = s501
+        w_by[704 + lane] = s508
+        w_by[736 + lane] = s515
+        w_by[768 + lane] = s542
+        w_by[800 + lane] = s549
+        w_by[832 + lane] = s556
+        w_by[864 + lane] = s583
+        w_by[896 + lane] = s590
+        w_by[928 + lane] = s597
+        w_by[960 + lane] = s634
+        w_by[992 + lane] = s665
+        w_by[1024 + lane] = s696
+        w_by[1056 + lane] = s731
+        w_by[1088 + lane] = s738
+        w_by[1120 + lane] = s745
+        w_by[1152 + lane] = s780
+        w_by[1184 + lane] = s787
+        w_by[1216 + lane] = s794
+        w_by[1248 + lane] = s829
+        w_by[1280 + lane] = s836
+        w_by[1312 + lane] = s843
+
+
+@straight
+def _axes_standard_by(w, w_by, n):
+    """Rates of a link, standard convention: twists of all behind it by turn and slide of its joint (21 operations)."""
+    for lane in range(n):
+        ox_now = w[192 + lane]
+        oy_now = w[224 + lane]
+        oz_now = w[256 + lane]
+        R_02_now = w[352 + lane]
+        R_12_now = w[448 + lane]
+        R_22_now = w[544 + lane]
+        ox_now_by = w_by[192 + lane]
+        oy_now_by = w_by[224 + lane]
+        oz_now_by = w_by[256 + lane]
+        R_02_now_by = w_by[352 + lane]
+        R_12_now_by = w_by[448 + lane]
+        R_22_now_by = w_by[544 + lane]
+        s15 = -R_12_now*oz_now_by - R_12_now_by*oz_now + R_22_now*oy_now_by + R_22_now_by*oy_now
+        s22 = R_02_now*oz_now_by + R_02_now_by*oz_now - R_22_now*ox_now_by - R_22_now_by*ox_now
+        s29 = -R_02_now*oy_now_by - R_02_now_by*oy_now + R_12_now*ox_now_by + R_12_now_by*ox_now
+        w_by[1984 + lane] = s15
+        w_by[2016 + lane] = s22
+        w_by[2048 + lane] = s29
+        w_by[2080 + lane] = R_02_now_by
+        w_by[2112 + lane] = R_12_now_by
+        w_by[2144 + lane] = R_22_now_by
+        w_by[2176 + lane] = R_02_now_by
+        w_by[2208 + lane] = R_12_now_by
+        w_by[2240 + lane] = R_22_now_by
+        w_by[2272 + lane] = 0
+        w_by[2304 + lane] = 0
+        w_by[2336 + lane] = 0
+
+
+@straight
+def _move_modified_by(w, w_by, n):
+    """Rates of a link, modified convention: its frame, and how that moves, by the one before (786 operations)."""
+    for lane in range(n):
+        turn_now = w[0 + lane]
+        slide_now = w[32 + lane]
+        turn_t_now = w[64 + lane]
+        slide_t_now = w[96 + lane]
+        turn_tt_now = w[128 + lane]
+        slide_tt_now = w[160 + lane]
+        R_00_now = w[288 + lane]
+        R_01_now = w[320 + lane]
+        R_02_now = w[352 + lane]
+        R_10_now = w[384 + lane]
+        R_11_now = w[416 + lane]
+        R_12_now = w[448 + lane]
+        R_20_now = w[480 + lane]
+        R_21_now = w[512 + lane]
+        R_22_now = w[544 + lane]
+        R_00_t_now = w[672 + lane]
+        R_01_t_now = w[704 + lane]
+        R_02_t_now = w[736 + lane]
+        R_10_t_now = w[768 + lane]
+        R_11_t_now = w[800 + lane]
+        R_12_t_now = w[832 + lane]
+        R_20_t_now = w[864 + lane]
+        R_21_t_now = w[896 + lane]
+        R_22_t_now = w[928 + lane]
+        R_00_tt_now = w[1056 + lane]
+        R_01_tt_now = w[1088 + lane]
+        R_02_tt_now = w[1120 + lane]
+        R_10_tt_now = w[1152 + lane]
+        R_11_tt_now = w[1184 + lane]
+        R_12_tt_now = w[1216 + lane]
+        R_20_tt_now = w[1248 + lane]
+        R_21_tt_now = w[1280 + lane]
+        R_22_tt_now = w[1312 + lane]
+        s0_now = w[1344 + lane]
+        s2_now = w[1376 + lane]
+        along_x_now = w[1408 + lane]
+        s26_now = w[1440 + lane]
+        s28_now = w[1472 + lane]
+        s33_now = w[1504 + lane]
+        s36_now = w[1536 + lane]
+        ox_now_by = w_by[192 + lane]
+        oy_now_by = w_by[224 + lane]
+        oz_now_by = w_by[256 + lane]
+        R_00_now_by = w_by[288 + lane]
+        R_01_now_by = w_by[320 + lane]
+        R_02_now_by = w_by[352 + lane]
+        R_10_now_by = w_by[384 + lane]
+        R_11_now_by = w_by[416 + lane]
+        R_12_now_by = w_by[448 + lane]
+        R_20_now_by = w_by[480 + lane]
+        R_21_now_by = w_by[512 + lane]
+        R_22_now_by = w_by[544 + lane]
+        ox_t_now_by = w_by[576 + lane]
+        oy_t_now_by = w_by[608 + lane]
+        oz_t_now_by = w_by[640 + lane]
+        R_00_t_now_by = w_by[672 + lane]
+        R_01_t_now_by = w_by[704 + lane]
+        R_02_t_now_by = w_by[736 + lane]
+        R_10_t_now_by = w_by[768 + lane]
+        R_11_t_now_by = w_by[800 + lane]
+        R_12_t_now_by = w_by[832 + lane]
+        R_20_t_now_by = w_by[864 + lane]
+        R_21_t_now_by = w_by[896 + lane]
+        R_22_t_now_by = w_by[928 + lane]
+        ox_tt_now_by = w_by[960 + lane]
+        oy_tt_now_by = w_by[992 + lane]
+        oz_tt_now_by = w_by[1024 + lane]
+        R_00_tt_now_by = w_by[1056 + lane]
+        R_01_tt_now_by = w_by[1088 + lane]
+        R_02_tt_now_by = w_by[1120 + lane]
+        R_10_tt_now_by = w_by[1152 + lane]
+        R_11_tt_now_by = w_by[1184 + lane]
+        R_12_tt_now_by = w_by[1216 + lane]
+        R_20_tt_now_by = w_by[1248 + lane]
+        R_21_tt_now_by = w_by[1280 + lane]
+        R_22_tt_now_by = w_by[1312 + lane]
+        s0_now_by = w_by[1344 + lane]
+        s2_now_by = w_by[1376 + lane]
+        along_x_now_by = w_by[1408 + lane]
+        s26_now_by = w_by[1440 + lane]
+        s28_now_by = w_by[1472 + lane]
+        s33_now_by = w_by[1504 + lane]
+        s36_now_by = w_by[1536 + lane]
+        about_z_now = s0_now + turn_now
+        along_z_now = s2_now + slide_now
+        s7_now = cosine(about_z_now)
+        s9_now = sine(about_z_now)
+        s78_now = -s9_now*turn_t_now
+        s82_now = s7_now*turn_t_now
+        s178_now = -s82_now*turn_t_now - s9_now*turn_tt_now
+        s187_now = s78_now*turn_t_now + s7_now*turn_tt_now
+        s325_now = -R_01_now*s33_now + R_02_now*s28_now
+        s327_now = R_00_now*s26_now - s325_now*s36_now
+        s331_now = R_00_now*s36_now + s26_now*s325_now
+        s336_now = -R_11_now*s33_now + R_12_now*s28_now
+        s338_now = R_10_now*s26_now - s336_now*s36_now
+        s342_now = R_10_now*s36_now + s26_now*s336_now
+        s347_now = -R_21_now*s33_now + R_22_now*s28_now
+        s349_now = R_20_now*s26_now - s347_now*s36_now
+        s353_now = R_20_now*s36_now + s26_now*s347_now
+        s358_now = R_01_now*s28_now + R_02_now*s33_now
+        s366_now = R_11_now*s28_now + R_12_now*s33_now
+        s374_now = R_21_now*s28_now + R_22_now*s33_now
+        s625_now = -R_01_t_now*s33_now + R_02_t_now*s28_now
+        s627_now = R_00_t_now*s26_now - s36_now*s625_now
+        s631_now = R_00_t_now*s36_now + s26_now*s625_now
+        s638_now = -R_11_t_now*s33_now + R_12_t_now*s28_now
+        s640_now = R_10_t_now*s26_now - s36_now*s638_now
+        s644_now = R_10_t_now*s36_now + s26_now*s638_now
+        s651_now = -R_21_t_now*s33_now + R_22_t_now*s28_now
+        s653_now = R_20_t_now*s26_now - s36_now*s651_now
+        s657_now = R_20_t_now*s36_now + s26_now*s651_now
+        s666_now = R_01_t_now*s28_now + R_02_t_now*s33_now
+        s682_now = R_11_t_now*s28_now + R_12_t_now*s33_now
+        s698_now = R_21_t_now*s28_now + R_22_t_now*s33_now
+        s1169_now = -R_01_tt_now*s33_now + R_02_tt_now*s28_now
+        s1171_now = R_00_tt_now*s26_now - s1169_now*s36_now
+        s1175_now = R_00_tt_now*s36_now + s1169_now*s26_now
+        s1185_now = -R_11_tt_now*s33_now + R_12_tt_now*s28_now
+        s1187_now = R_10_tt_now*s26_now - s1185_now*s36_now
+        s1191_now = R_10_tt_now*s36_now + s1185_now*s26_now
+        s1201_now = -R_21_tt_now*s33_now + R_22_tt_now*s28_now
+        s1203_now = R_20_tt_now*s26_now - s1201_now*s36_now
+        s1207_now = R_20_tt_now*s36_now + s1201_now*s26_now
+        s1222_now = R_01_tt_now*s28_now + R_02_tt_now*s33_now
+        s1250_now = R_11_tt_now*s28_now + R_12_tt_now*s33_now
+        s1278_now = R_21_tt_now*s28_now + R_22_tt_now*s33_now
+        s261 = -s0_now_by*s9_now
+        s262 = s0_now_by*s7_now
+        s263 = -s262*turn_t_now
+        s264 = s261*turn_t_now
+        s267 = -s262*turn_tt_now - s264*turn_t_now
+        s270 = s261*turn_tt_now + s263*turn_t_now
+        s277 = -R_01_now*s33_now_by - R_01_now_by*s33_now + R_02_now*s28_now_by + R_02_now_by*s28_now
+        s284 = R_00_now*s26_now_by + R_00_now_by*s26_now - s277*s36_now - s325_now*s36_now_by
+        s291 = R_00_now*s36_now_by + R_00_now_by*s36_now + s26_now*s277 + s26_now_by*s325_now
+        s298 = along_x_now*s284 + along_x_now_by*s327_now + along_z_now*s291 + ox_now_by + s2_now_by*s331_now
+        s305 = -R_11_now*s33_now_by - R_11_now_by*s33_now + R_12_now*s28_now_by + R_12_now_by*s28_now
+        s312 = R_10_now*s26_now_by + R_10_now_by*s26_now - s305*s36_now - s336_now*s36_now_by
+        s319 = R_10_now*s36_now_by + R_10_now_by*s36_now + s26_now*s305 + s26_now_by*s336_now
+        s326 = along_x_now*s312 + along_x_now_by*s338_now + along_z_now*s319 + oy_now_by + s2_now_by*s342_now
+        s333 = -R_21_now*s33_now_by - R_21_now_by*s33_now + R_22_now*s28_now_by + R_22_now_by*s28_now
+        s340 = R_20_now*s26_now_by + R_20_now_by*s26_now - s333*s36_now - s347_now*s36_now_by
+        s347 = R_20_now*s36_now_by + R_20_now_by*s36_now + s26_now*s333 + s26_now_by*s347_now
+        s354 = along_x_now*s340 + along_x_now_by*s349_now + along_z_now*s347 + oz_now_by + s2_now_by*s353_now
+        s361 = R_01_now*s28_now_by + R_01_now_by*s28_now + R_02_now*s33_now_by + R_02_now_by*s33_now
+        s368 = s261*s327_now + s262*s358_now + s284*s7_now + s361*s9_now
+        s375 = s261*s358_now - s262*s327_now - s284*s9_now + s361*s7_now
+        s382 = R_11_now*s28_now_by + R_11_now_by*s28_now + R_12_now*s33_now_by + R_12_now_by*s33_now
+        s389 = s261*s338_now + s262*s366_now + s312*s7_now + s382*s9_now
+        s396 = s261*s366_now - s262*s338_now - s312*s9_now + s382*s7_now
+        s403 = R_21_now*s28_now_by + R_21_now_by*s28_now + R_22_now*s33_now_by + R_22_now_by*s33_now
+        s410 = s261*s349_now + s262*s374_now + s340*s7_now + s403*s9_now
+        s417 = s261*s374_now - s262*s349_now - s340*s9_now + s403*s7_now
+        s424 = -R_01_t_now*s33_now_by - R_01_t_now_by*s33_now + R_02_t_now*s28_now_by + R_02_t_now_by*s28_now
+        s431 = R_00_t_now*s26_now_by + R_00_t_now_by*s26_now - s36_now*s424 - s36_now_by*s625_now
+        s438 = R_00_t_now*s36_now_by + R_00_t_now_by*s36_now + s26_now*s424 + s26_now_by*s625_now
+        s446 = along_x_now*s431 + along_x_now_by*s627_now + along_z_now*s438 + ox_t_now_by + s291*slide_t_now + s2_now_by*s631_now
+        s453 = -R_11_t_now*s33_now_by - R_11_t_now_by*s33_now + R_12_t_now*s28_now_by + R_12_t_now_by*s28_now
+        s460 = R_10_t_now*s26_now_by + R_10_t_now_by*s26_now - s36_now*s453 - s36_now_by*s638_now
+        s467 = R_10_t_now*s36_now_by + R_10_t_now_by*s36_now + s26_now*s453 + s26_now_by*s638_now
+        s475 = along_x_now*s460 + along_x_now_by*s640_now + along_z_now*s467 + oy_t_now_by + s2_now_by*s644_now + s319*slide_t_now
+        s482 = -R_21_t_now*s33_now_by - R_21_t_now_by*s33_now + R_22_t_now*s28_now_by + R_22_t_now_by*s28_now
+        s489 = R_20_t_now*s26_now_by + R_20_t_now_by*s26_now - s36_now*s482 - s36_now_by*s651_now
+        s496 = R_20_t_now*s36_now_by + R_20_t_now_by*s36_now + s26_now*s482 + s26_now_by*s651_now
+        s504 = along_x_now*s489 + along_x_now_by*s653_now + along_z_now*s496 + oz_t_now_by + s2_now_by*s657_now + s347*slide_t_now
+        s511 = R_01_t_now*s28_now_by + R_01_t_now_by*s28_now + R_02_t_now*s33_now_by + R_02_t_now_by*s33_now
+        s523 = s262*s666_now + s511*s9_now
+        s524 = s261*s627_now + s263*s327_now + s264*s358_now + s284*s78_now + s361*s82_now + s431*s7_now + s523
+        s536 = -s262*s627_now - s431*s9_now
+        s537 = s261*s666_now + s263*s358_now - s264*s327_now - s284*s82_now + s361*s78_now + s511*s7_now + s536
+        s544 = R_11_t_now*s28_now_by + R_11_t_now_by*s28_now + R_12_t_now*s33_now_by + R_12_t_now_by*s33_now
+        s556 = s262*s682_now + s544*s9_now
+        s557 = s261*s640_now + s263*s338_now + s264*s366_now + s312*s78_now + s382*s82_now + s460*s7_now + s556
+        s569 = -s262*s640_now - s460*s9_now
+        s570 = s261*s682_now + s263*s366_now - s264*s338_now - s312*s82_now + s382*s78_now + s544*s7_now + s569
+        s577 = R_21_t_now*s28_now_by + R_21_t_now_by*s28_now + R_22_t_now*s33_now_by + R_22_t_now_by*s33_now
+        s589 = s262*s698_now + s577*s9_now
+        s590 = s261*s653_now + s263*s349_now + s264*s374_now + s340*s78_now + s403*s82_now + s489*s7_now + s589
+        s602 = -s262*s653_now - s489*s9_now
+        s603 = s261*s698_now + s263*s374_now - s264*s349_now - s340*s82_now + s403*s78_now + s577*s7_now + s602
+        s610 = -R_01_tt_now*s33_now_by - R_01_tt_now_by*s33_now + R_02_tt_now*s28_now_by + R_02_tt_now_by*s28_now
+        s617 = R_00_tt_now*s26_now_by + R_00_tt_now_by*s26_now - s1169_now*s36_now_by - s36_now*s610
+        s624 = R_00_tt_now*s36_now_by + R_00_tt_now_by*s36_now + s1169_now*s26_now_by + s26_now*s610
+        s633 = s291*slide_tt_now
+        s634 = along_x_now*s617 + along_x_now_by*s1171_now + along_z_now*s624 + ox_tt_now_by + s1175_now*s2_now_by + 2*s438*slide_t_now + s633
+        s641 = -R_11_tt_now*s33_now_by - R_11_tt_now_by*s33_now + R_12_tt_now*s28_now_by + R_12_tt_now_by*s28_now
+        s648 = R_10_tt_now*s26_now_by + R_10_tt_now_by*s26_now - s1185_now*s36_now_by - s36_now*s641
+        s655 = R_10_tt_now*s36_now_by + R_10_tt_now_by*s36_now + s1185_now*s26_now_by + s26_now*s641
+        s664 = s319*slide_tt_now
+        s665 = along_x_now*s648 + along_x_now_by*s1187_now + along_z_now*s655 + oy_tt_now_by + s1191_now*s2_now_by + 2*s467*slide_t_now + s664
+        s672 = -R_21_tt_now*s33_now_by - R_21_tt_now_by*s33_now + R_22_tt_now*s28_now_by + R_22_tt_now_by*s28_now
+        s679 = R_20_tt_now*s26_now_by + R_20_tt_now_by*s26_now - s1201_now*s36_now_by - s36_now*s672
+        s686 = R_20_tt_now*s36_now_by + R_20_tt_now_by*s36_now + s1201_now*s26_now_by + s26_now*s672
+        s695 = s347*slide_tt_now
+        s696 = along_x_now*s679 + along_x_now_by*s1203_now + along_z_now*s686 + oz_tt_now_by + s1207_now*s2_now_by + 2*s496*slide_t_now + s695
+        s706 = R_01_tt_now*s28_now_by + R_01_tt_now_by*s28_now + R_02_tt_now*s33_now_by + R_02_tt_now_by*s33_now
+        s711 = 2*s264*s666_now + 2*s511*s82_now
+        s714 = s1171_now*s261 + s617*s7_now
+        s717 = s1222_now*s262 + s706*s9_now
+        s720 = s178_now*s284 + s267*s327_now
+        s723 = s187_now*s361 + s270*s358_now
+        s724 = 2*s263*s627_now + 2*s431*s78_now + s711 + s714 + s717 + s720 + s723
+        s732 = -2*s264*s627_now - 2*s431*s82_now
+        s735 = s1222_now*s261 + s706*s7_now
+        s738 = s178_now*s361 + s267*s358_now
+        s741 = -s1171_now*s262 - s617*s9_now
+        s744 = -s187_now*s284 - s270*s327_now
+        s745 = 2*s263*s666_now + 2*s511*s78_now + s732 + s735 + s738 + s741 + s744
+        s755 = R_11_tt_now*s28_now_by + R_11_tt_now_by*s28_now + R_12_tt_now*s33_now_by + R_12_tt_now_by*s33_now
+        s760 = 2*s264*s682_now + 2*s544*s82_now
+        s763 = s1187_now*s261 + s648*s7_now
+        s766 = s1250_now*s262 + s755*s9_now
+        s769 = s178_now*s312 + s267*s338_now
+        s772 = s187_now*s382 + s270*s366_now
+        s773 = 2*s263*s640_now + 2*s460*s78_now + s760 + s763 + s766 + s769 + s772
+        s781 = -2*s264*s640_now - 2*s460*s82_now
+        s784 = s1250_now*s261 + s755*s7_now
+        s787 = s178_now*s382 + s267*s366_now
+        s790 = -s1187_now*s262 - s648*s9_now
+        s793 = -s187_now*s312 - s270*s338_now
+        s794 = 2*s263*s682_now + 2*s544*s78_now + s781 + s784 + s787 + s790 + s793
+        s804 = R_21_tt_now*s28_now_by + R_21_tt_now_by*s28_now + R_22_tt_now*s33_now_by + R_22_tt_now_by*s33_now
+        s809 = 2*s264*s698_now + 2*s577*s82_now
+        s812 = s1203_now*s261 + s679*s7_now
+        s815 = s1278_now*s262 + s804*s9_now
+        s818 = s178_now*s340 + s267*s349_now
+        s821 = s187_now*s403 + s270*s374_now
+        s822 = 2*s263*s653_now + 2*s489*s78_now + s809 + s812 + s815 + s818 + s821
+        s830 = -2*s264*s653_now - 2*s489*s82_now
+        s833 = s1278_now*s261 + s7_now*s804
+        s836 = s178_now*s403 + s267*s374_now
+        s839 = -s1203_now*s262 - s679*s9_now
+        s842 = -s187_now*s340 - s270*s349_now
+        s843 = 2*s263*s698_now + 2*s577*s78_now + s830 + s833 + s836 + s839 + s842
+        w_by[192 + lane] = s298
+        w_by[224 + lane] = s326
+        w_by[256 + lane] = s354
+        w_by[288 + lane] = s368
+        w_by[320 + lane] = s375
+        w_by[352 + lane] = s291
+        w_by[384 + lane] = s389
+        w_by[416 + lane] = s396
+        w_by[448 + lane] = s319
+        w_by[480 + lane] = s410
+        w_by[512 + lane] = s417
+        w_by[544 + lane] = s347
+        w_by[576 + lane] = s446
+        w_by[608 + lane] = s475
+        w_by[640 + lane] = s504
+        w_by[672 + lane] = s524
+        w_by[704 + lane] = s537
+        w_by[736 + lane] = s438
+        w_by[768 + lane] = s557
+        w_by[800 + lane] = s570
+        w_by[832 + lane] = s467
+        w_by[864 + lane] = s590
+        w_by[896 + lane] = s603
+        w_by[928 + lane] = s496
+        w_by[960 + lane] = s634
+        w_by[992 + lane] = s665
+        w_by[1024 + lane] = s696
+        w_by[1056 + lane] = s724
+        w_by[1088 + lane] = s745
+        w_by[1120 + lane] = s624
+        w_by[1152 + lane] = s773
+        w_by[1184 + lane] = s794
+        w_by[1216 + lane] = s655
+        w_by[1248 + lane] = s822
+        w_by[1280 + lane] = s843
+        w_by[1312 + lane] = s686
+
+
+@straight
+def _axes_modified_by(w, w_by, n):
+    """Rates of a link, modified convention: twists of all behind it by turn and slide of its joint (135 operations)."""
+    for lane in range(n):
+        ox_now = w[192 + lane]
+        oy_now = w[224 + lane]
+        oz_now = w[256 + lane]
+        R_00_now = w[288 + lane]
+        R_01_now = w[320 + lane]
+        R_02_now = w[352 + lane]
+        R_10_now = w[384 + lane]
+        R_11_now = w[416 + lane]
+        R_12_now = w[448 + lane]
+        R_20_now = w[480 + lane]
+        R_21_now = w[512 + lane]
+        R_22_now = w[544 + lane]
+        along_x_now = w[1408 + lane]
+        s26_now = w[1440 + lane]
+        s28_now = w[1472 + lane]
+        s33_now = w[1504 + lane]
+        s36_now = w[1536 + lane]
+        ox_now_by = w_by[192 + lane]
+        oy_now_by = w_by[224 + lane]
+        oz_now_by = w_by[256 + lane]
+        R_00_now_by = w_by[288 + lane]
+        R_01_now_by = w_by[320 + lane]
+        R_02_now_by = w_by[352 + lane]
+        R_10_now_by = w_by[384 + lane]
+        R_11_now_by = w_by[416 + lane]
+        R_12_now_by = w_by[448 + lane]
+        R_20_now_by = w_by[480 + lane]
+        R_21_now_by = w_by[512 + lane]
+        R_22_now_by = w_by[544 + lane]
+        along_x_now_by = w_by[1408 + lane]
+        s26_now_by = w_by[1440 + lane]
+        s28_now_by = w_by[1472 + lane]
+        s33_now_by = w_by[1504 + lane]
+        s36_now_by = w_by[1536 + lane]
+        s325_now = -R_01_now*s33_now + R_02_now*s28_now
+        s331_now = R_00_now*s36_now + s26_now*s325_now
+        s336_now = -R_11_now*s33_now + R_12_now*s28_now
+        s342_now = R_10_now*s36_now + s26_now*s336_now
+        s347_now = -R_21_now*s33_now + R_22_now*s28_now
+        s353_now = R_20_now*s36_now + s26_now*s347_now
+        s20 = R_20_now*s26_now - s347_now*s36_now
+        s1299_now = -along_x_now*s20 - oz_now
+        s25 = R_10_now*s26_now - s336_now*s36_now
+        s1301_now = -along_x_now*s25 - oy_now
+        s33 = R_00_now*s26_now - s325_now*s36_now
+        s1304_now = -along_x_now*s33 - ox_now
+        s48 = -R_01_now*s33_now_by - R_01_now_by*s33_now + R_02_now*s28_now_by + R_02_now_by*s28_now
+        s55 = R_00_now*s36_now_by + R_00_now_by*s36_now + s26_now*s48 + s26_now_by*s325_now
+        s62 = -R_11_now*s33_now_by - R_11_now_by*s33_now + R_12_now*s28_now_by + R_12_now_by*s28_now
+        s69 = R_10_now*s36_now_by + R_10_now_by*s36_now + s26_now*s62 + s26_now_by*s336_now
+        s76 = -R_21_now*s33_now_by - R_21_now_by*s33_now + R_22_now*s28_now_by + R_22_now_by*s28_now
+        s83 = R_20_now*s36_now_by + R_20_now_by*s36_now + s26_now*s76 + s26_now_by*s347_now
+        s94 = -along_x_now*(R_20_now*s26_now_by + R_20_now_by*s26_now - s347_now*s36_now_by - s36_now*s76) - along_x_now_by*s20 - oz_now_by
+        s105 = -along_x_now*(R_10_now*s26_now_by + R_10_now_by*s26_now - s336_now*s36_now_by - s36_now*s62) - along_x_now_by*s25 - oy_now_by
+        s112 = -s105*s353_now + s1299_now*s69 - s1301_now*s83 + s342_now*s94
+        s123 = -along_x_now*(R_00_now*s26_now_by + R_00_now_by*s26_now - s325_now*s36_now_by - s36_now*s48) - along_x_now_by*s33 - ox_now_by
+        s130 = s123*s353_now - s1299_now*s55 + s1304_now*s83 - s331_now*s94
+        s137 = s105*s331_now - s123*s342_now + s1301_now*s55 - s1304_now*s69
+        w_by[1984 + lane] = s112
+        w_by[2016 + lane] = s130
+        w_by[2048 + lane] = s137
+        w_by[2080 + lane] = s55
+        w_by[2112 + lane] = s69
+        w_by[2144 + lane] = s83
+        w_by[2176 + lane] = s55
+        w_by[2208 + lane] = s69
+        w_by[2240 + lane] = s83
+        w_by[2272 + lane] = 0
+        w_by[2304 + lane] = 0
+        w_by[2336 + lane] = 0
+
+
+@straight
+def _ask_by(w, w_by, n):
+    """Rates of force that a body asks for, and its moment about {O} (439 operations)."""
+    for lane in range(n):
+        ox_now = w[192 + lane]
+        oy_now = w[224 + lane]
+        oz_now = w[256 + lane]
+        R_00_now = w[288 + lane]
+        R_01_now = w[320 + lane]
+        R_02_now = w[352 + lane]
+        R_10_now = w[384 + lane]
+        R_11_now = w[416 + lane]
+        R_12_now = w[448 + lane]
+        R_20_now = w[480 + lane]
+        R_21_now = w[512 + lane]
+        R_22_now = w[544 + lane]
+        ox_tt_now = w[960 + lane]
+        oy_tt_now = w[992 + lane]
+        oz_tt_now = w[1024 + lane]
+        R_00_tt_now = w[1056 + lane]
+        R_01_tt_now = w[1088 + lane]
+        R_02_tt_now = w[1120 + lane]
+        R_10_tt_now = w[1152 + lane]
+        R_11_tt_now = w[1184 + lane]
+        R_12_tt_now = w[1216 + lane]
+        R_20_tt_now = w[1248 + lane]
+        R_21_tt_now = w[1280 + lane]
+        R_22_tt_now = w[1312 + lane]
+        m_now = w[1568 + lane]
+        m_x_now = w[1600 + lane]
+        m_y_now = w[1632 + lane]
+        m_z_now = w[1664 + lane]
+        ixx_now = w[1696 + lane]
+        iyy_now = w[1728 + lane]
+        izz_now = w[1760 + lane]
+        ixy_now = w[1792 + lane]
+        ixz_now = w[1824 + lane]
+        iyz_now = w[1856 + lane]
+        gx_now = w[1888 + lane]
+        gy_now = w[1920 + lane]
+        gz_now = w[1952 + lane]
+        ox_now_by = w_by[192 + lane]
+        oy_now_by = w_by[224 + lane]
+        oz_now_by = w_by[256 + lane]
+        R_00_now_by = w_by[288 + lane]
+        R_01_now_by = w_by[320 + lane]
+        R_02_now_by = w_by[352 + lane]
+        R_10_now_by = w_by[384 + lane]
+        R_11_now_by = w_by[416 + lane]
+        R_12_now_by = w_by[448 + lane]
+        R_20_now_by = w_by[480 + lane]
+        R_21_now_by = w_by[512 + lane]
+        R_22_now_by = w_by[544 + lane]
+        ox_tt_now_by = w_by[960 + lane]
+        oy_tt_now_by = w_by[992 + lane]
+        oz_tt_now_by = w_by[1024 + lane]
+        R_00_tt_now_by = w_by[1056 + lane]
+        R_01_tt_now_by = w_by[1088 + lane]
+        R_02_tt_now_by = w_by[1120 + lane]
+        R_10_tt_now_by = w_by[1152 + lane]
+        R_11_tt_now_by = w_by[1184 + lane]
+        R_12_tt_now_by = w_by[1216 + lane]
+        R_20_tt_now_by = w_by[1248 + lane]
+        R_21_tt_now_by = w_by[1280 + lane]
+        R_22_tt_now_by = w_by[1312 + lane]
+        s1312_now = -gx_now + 0.001*ox_tt_now
+        s1317_now = 0.001*R_00_tt_now*m_x_now + 0.001*R_01_tt_now*m_y_now + 0.001*R_02_tt_now*m_z_now + m_now*s1312_now
+        s1319_now = -gy_now + 0.001*oy_tt_now
+        s1324_now = 0.001*R_10_tt_now*m_x_now + 0.001*R_11_tt_now*m_y_now + 0.001*R_12_tt_now*m_z_now + m_now*s1319_now
+        s1326_now = -gz_now + 0.001*oz_tt_now
+        s1331_now = 0.001*R_20_tt_now*m_x_now + 0.001*R_21_tt_now*m_y_now + 0.001*R_22_tt_now*m_z_now + m_now*s1326_now
+        s1336_now = -R_20_now*m_x_now - R_21_now*m_y_now - R_22_now*m_z_now
+        s1341_now = R_10_now*m_x_now + R_11_now*m_y_now + R_12_now*m_z_now
+        s1349_now = 0.5*R_20_now*ixx_now - 0.5*R_20_now*iyy_now - 0.5*R_20_now*izz_now + R_21_now*ixy_now + R_22_now*ixz_now
+        s1356_now = R_20_now*ixy_now - 0.5*R_21_now*ixx_now + 0.5*R_21_now*iyy_now - 0.5*R_21_now*izz_now + R_22_now*iyz_now
+        s1363_now = R_20_now*ixz_now + R_21_now*iyz_now - 0.5*R_22_now*ixx_now - 0.5*R_22_now*iyy_now + 0.5*R_22_now*izz_now
+        s1370_now = -0.5*R_10_now*ixx_now + 0.5*R_10_now*iyy_now + 0.5*R_10_now*izz_now - R_11_now*ixy_now - R_12_now*ixz_now
+        s1377_now = -R_10_now*ixy_now + 0.5*R_11_now*ixx_now - 0.5*R_11_now*iyy_now + 0.5*R_11_now*izz_now - R_12_now*iyz_now
+        s1384_now = -R_10_now*ixz_now - R_11_now*iyz_now + 0.5*R_12_now*ixx_now + 0.5*R_12_now*iyy_now - 0.5*R_12_now*izz_now
+        s1392_now = -R_00_now*m_x_now - R_01_now*m_y_now - R_02_now*m_z_now
+        s1403_now = 0.5*R_00_now*ixx_now - 0.5*R_00_now*iyy_now - 0.5*R_00_now*izz_now + R_01_now*ixy_now + R_02_now*ixz_now
+        s1410_now = R_00_now*ixy_now - 0.5*R_01_now*ixx_now + 0.5*R_01_now*iyy_now - 0.5*R_01_now*izz_now + R_02_now*iyz_now
+        s1417_now = R_00_now*ixz_now + R_01_now*iyz_now - 0.5*R_02_now*ixx_now - 0.5*R_02_now*iyy_now + 0.5*R_02_now*izz_now
+        s120 = 0.001*ox_tt_now_by
+        s122 = 0.001*m_x_now
+        s123 = 0.001*R_00_tt_now
+        s125 = 0.001*m_y_now
+        s126 = 0.001*R_01_tt_now
+        s128 = 0.001*m_z_now
+        s129 = 0.001*R_02_tt_now
+        s131 = R_00_tt_now_by*s122 + R_01_tt_now_by*s125 + R_02_tt_now_by*s128 + m_now*s120
+        s132 = 0.001*oy_tt_now_by
+        s134 = 0.001*R_10_tt_now
+        s136 = 0.001*R_11_tt_now
+        s138 = 0.001*R_12_tt_now
+        s140 = R_10_tt_now_by*s122 + R_11_tt_now_by*s125 + R_12_tt_now_by*s128 + m_now*s132
+        s141 = 0.001*oz_tt_now_by
+        s143 = 0.001*R_20_tt_now
+        s145 = 0.001*R_21_tt_now
+        s147 = 0.001*R_22_tt_now
+        s149 = R_20_tt_now_by*s122 + R_21_tt_now_by*s125 + R_22_tt_now_by*s128 + m_now*s141
+        s153 = -R_20_now_by*m_x_now - R_21_now_by*m_y_now - R_22_now_by*m_z_now
+        s157 = R_10_now_by*m_x_now + R_11_now_by*m_y_now + R_12_now_by*m_z_now
+        s163 = 0.5*ixx_now
+        s166 = -0.5*iyy_now
+        s168 = -0.5*izz_now
+        s170 = R_20_now_by*s163 + R_20_now_by*s166 + R_20_now_by*s168 + R_21_now_by*ixy_now + R_22_now_by*ixz_now
+        s171 = 0.001*s1349_now
+        s174 = R_10_tt_now_by*s171 + s134*s170
+        s181 = R_20_now_by*ixy_now - R_21_now_by*s163 - R_21_now_by*s166 + R_21_now_by*s168 + R_22_now_by*iyz_now
+        s182 = 0.001*s1356_now
+        s185 = R_11_tt_now_by*s182 + s136*s181
+        s192 = R_20_now_by*ixz_now + R_21_now_by*iyz_now - R_22_now_by*s163 + R_22_now_by*s166 - R_22_now_by*s168
+        s193 = 0.001*s1363_now
+        s196 = R_12_tt_now_by*s193 + s138*s192
+        s203 = -R_10_now_by*s163 - R_10_now_by*s166 - R_10_now_by*s168 - R_11_now_by*ixy_now - R_12_now_by*ixz_now
+        s204 = 0.001*s1370_now
+        s207 = R_20_tt_now_by*s204 + s143*s203
+        s214 = -R_10_now_by*ixy_now + R_11_now_by*s163 + R_11_now_by*s166 - R_11_now_by*s168 - R_12_now_by*iyz_now
+        s215 = 0.001*s1377_now
+        s218 = R_21_tt_now_by*s215 + s145*s214
+        s225 = -R_10_now_by*ixz_now - R_11_now_by*iyz_now + R_12_now_by*s163 - R_12_now_by*s166 + R_12_now_by*s168
+        s226 = 0.001*s1384_now
+        s229 = R_22_tt_now_by*s226 + s147*s225
+        s232 = oy_now*s149 + oy_now_by*s1331_now
+        s235 = s1319_now*s153 + s132*s1336_now
+        s238 = s1326_now*s157 + s1341_now*s141
+        s239 = -oz_now*s140 - oz_now_by*s1324_now + s174 + s185 + s196 + s207 + s218 + s229 + s232 + s235 + s238
+        s243 = -R_00_now_by*m_x_now - R_01_now_by*m_y_now - R_02_now_by*m_z_now
+        s249 = -R_00_tt_now_by*s171 - s123*s170
+        s252 = -R_01_tt_now_by*s182 - s126*s181
+        s255 = -R_02_tt_now_by*s193 - s129*s192
+        s262 = R_00_now_by*s163 + R_00_now_by*s166 + R_00_now_by*s168 + R_01_now_by*ixy_now + R_02_now_by*ixz_now
+        s263 = 0.001*s1403_now
+        s266 = R_20_tt_now_by*s263 + s143*s262
+        s273 = R_00_now_by*ixy_now - R_01_now_by*s163 - R_01_now_by*s166 + R_01_now_by*s168 + R_02_now_by*iyz_now
+        s274 = 0.001*s1410_now
+        s277 = R_21_tt_now_by*s274 + s145*s273
+        s284 = R_00_now_by*ixz_now + R_01_now_by*iyz_now - R_02_now_by*s163 + R_02_now_by*s166 - R_02_now_by*s168
+        s285 = 0.001*s1417_now
+        s288 = R_22_tt_now_by*s285 + s147*s284
+        s291 = oz_now*s131 + oz_now_by*s1317_now
+        s294 = s1326_now*s243 + s1392_now*s141
+        s297 = -s120*s1336_now - s1312_now*s153
+        s298 = -ox_now*s149 - ox_now_by*s1331_now + s249 + s252 + s255 + s266 + s277 + s288 + s291 + s294 + s297
+        s304 = -R_00_tt_now_by*s204 - s123*s203
+        s307 = -R_01_tt_now_by*s215 - s126*s214
+        s310 = -R_02_tt_now_by*s226 - s129*s225
+        s313 = -R_10_tt_now_by*s263 - s134*s262
+        s316 = -R_11_tt_now_by*s274 - s136*s273
+        s319 = -R_12_tt_now_by*s285 - s138*s284
+        s322 = ox_now*s140 + ox_now_by*s1324_now
+        s325 = -s120*s1341_now - s1312_now*s157
+        s328 = -s1319_now*s243 - s132*s1392_now
+        s329 = -oy_now*s131 - oy_now_by*s1317_now + s304 + s307 + s310 + s313 + s316 + s319 + s322 + s325 + s328
+        w_by[2560 + lane] = s131
+        w_by[2592 + lane] = s140
+        w_by[2624 + lane] = s149
+        w_by[2656 + lane] = s239
+        w_by[2688 + lane] = s298
+        w_by[2720 + lane] = s329
+
+
+@straight
+def _give_by(w, w_by, n):
+    """Rates of what a joint gives to what is asked behind it (23 operations)."""
+    for lane in range(n):
+        fx_now = w[2560 + lane]
+        fy_now = w[2592 + lane]
+        fz_now = w[2624 + lane]
+        mx_now = w[2656 + lane]
+        my_now = w[2688 + lane]
+        mz_now = w[2720 + lane]
+        ux_now = w[2368 + lane]
+        uy_now = w[2400 + lane]
+        uz_now = w[2432 + lane]
+        wx_now = w[2464 + lane]
+        wy_now = w[2496 + lane]
+        wz_now = w[2528 + lane]
+        fx_now_by = w_by[2560 + lane]
+        fy_now_by = w_by[2592 + lane]
+        fz_now_by = w_by[2624 + lane]
+        mx_now_by = w_by[2656 + lane]
+        my_now_by = w_by[2688 + lane]
+        mz_now_by = w_by[2720 + lane]
+        ux_now_by = w_by[2368 + lane]
+        uy_now_by = w_by[2400 + lane]
+        uz_now_by = w_by[2432 + lane]
+        wx_now_by = w_by[2464 + lane]
+        wy_now_by = w_by[2496 + lane]
+        wz_now_by = w_by[2528 + lane]
+        s15 = fz_now*uz_now_by + fz_now_by*uz_now
+        s18 = mx_now*wx_now_by + mx_now_by*wx_now
+        s21 = my_now*wy_now_by + my_now_by*wy_now
+        s24 = mz_now*wz_now_by + mz_now_by*wz_now
+        s25 = fx_now*ux_now_by + fx_now_by*ux_now + fy_now*uy_now_by + fy_now_by*uy_now + s15 + s18 + s21 + s24
+        w_by[4672 + lane] = s25
+
+
+@straight
+def _hold(w_by, n):
+    """Begin with a base that no error moves."""
+    for lane in range(n):
+        w_by[192 + lane] = 0.0
+        w_by[224 + lane] = 0.0
+        w_by[256 + lane] = 0.0
+        w_by[288 + lane] = 0.0
+        w_by[320 + lane] = 0.0
+        w_by[352 + lane] = 0.0
+        w_by[384 + lane] = 0.0
+        w_by[416 + lane] = 0.0
+        w_by[448 + lane] = 0.0
+        w_by[480 + lane] = 0.0
+        w_by[512 + lane] = 0.0
+        w_by[544 + lane] = 0.0
+        w_by[576 + lane] = 0.0
+        w_by[608 + lane] = 0.0
+        w_by[640 + lane] = 0.0
+        w_by[672 + lane] = 0.0
+        w_by[704 + lane] = 0.0
+        w_by[736 + lane] = 0.0
+        w_by[768 + lane] = 0.0
+        w_by[800 + lane] = 0.0
+        w_by[832 + lane] = 0.0
+        w_by[864 + lane] = 0.0
+        w_by[896 + lane] = 0.0
+        w_by[928 + lane] = 0.0
+        w_by[960 + lane] = 0.0
+        w_by[992 + lane] = 0.0
+        w_by[1024 + lane] = 0.0
+        w_by[1056 + lane] = 0.0
+        w_by[1088 + lane] = 0.0
+        w_by[1120 + lane] = 0.0
+        w_by[1152 + lane] = 0.0
+        w_by[1184 + lane] = 0.0
+        w_by[1216 + lane] = 0.0
+        w_by[1248 + lane] = 0.0
+        w_by[1280 + lane] = 0.0
+        w_by[1312 + lane] = 0.0
+
+
+@fast
+def _torque_by(motion, inertia, gravity, k, k_by, conventions, drives, much, tau):
+    q = motion[0]
+    links, joints = k.shape[1], q.shape[1]
+    w, axes, bodies = scratch(WORK), scratch(much.size * AXIS), scratch(links * ASKED)
+    w_by, axes_by, bodies_by = scratch(WORK), scratch(much.size * AXIS), scratch(links * ASKED)
+    states, constants, masses, torques = (
+        motion.reshape(motion.size), k.reshape(k.size), inertia.reshape(inertia.size), tau.reshape(tau.size)
+    )
+    slopes, of = k_by.reshape(k_by.size), np.zeros(len(q), dtype=np.int64)
+    tau[:] = 0.0
+    for e in range(len(k_by)):
+        found, own = torques[e * len(q) * joints :], slopes[e * links * 7 :]
+        for first in range(0, len(q), LANES):
+            last = min(first + LANES, len(q)) - 1
+            n = (last - first + 8) // 8 * 8
+            _begin(gravity, w, n)
+            _hold(w_by, n)
+            row = 0
+            for link in range(links):
+                _own(constants, of, w, link, links, first, last, n)
+                _own(own, of, w_by, link, links, first, last, n)
+                _rest(w, n)
+                at = row
+                while row < much.size and drives[row, 0] == link:
+                    for order in range(3):
+                        _drive(
+                            states[order * len(q) * joints :], much[row:], w, 2 * order + drives[row, 1],
+                            drives[row, 2], joints, first, last, n,
+                        )
+                    row += 1
+                if conventions[link] == 0:
+                    _axes_standard_by(w, w_by, n)
+                    _axes_standard(w, n)
+                elif conventions[link] == 1:
+                    _axes_modified_by(w, w_by, n)
+                    _axes_modified(w, n)
+                for d in range(at, row):
+                    _keep_axis(w, axes[AXIS * d :], drives[d, 1], n)
+                    _keep_axis(w_by, axes_by[AXIS * d :], drives[d, 1], n)
+                if conventions[link] == 0:
+                    _move_standard_by(w, w_by, n)
+                    _move_standard(w, n)
+                elif conventions[link] == 1:
+                    _move_modified_by(w, w_by, n)
+                    _move_modified(w, n)
+                _weigh(masses[10 * link :], w, n)
+                _ask_by(w, w_by, n)
+                _ask(w, n)
+                _keep_asked(w, bodies[ASKED * link :], n)
+                _keep_asked(w_by, bodies_by[ASKED * link :], n)
+            _nothing(w, n)
+            _nothing(w_by, n)
+            for link in range(links - 1, -1, -1):
+                _also(w, bodies[ASKED * link :], n)
+                _also(w_by, bodies_by[ASKED * link :], n)
+                while row > 0 and drives[row - 1, 0] == link:
+                    row -= 1
+                    _take_axis(w, axes[AXIS * row :], n)
+                    _take_axis(w_by, axes_by[AXIS * row :], n)
+                    _give_by(w, w_by, n)
+                    _pay(w_by, much[row:], found, drives[row, 2], joints, first, last)
+
+
+def torque_by(motion, inertia, gravity, k, k_by, conventions, drives, much, tau):
+    """Fill tau (E, N, n_q) [N mm, N]: how `torque` of one machine changes, its joints held, along each of E errors.
+
+    k_by (E, links, 7) is what `constants_by` makes of them.
+    """
+    _torque_by(motion, inertia, gravity, k, k_by, conventions, drives, much, tau)

@@ -124,6 +124,8 @@ class Chain(Machine):
         motion, weight, k = np.ones((3, 1, 1)), np.ones(3), dynamics.constants(rows)
         given["torque"] = motion, np.ones((1, len(dynamics.INERTIA))), weight, k, *shape, np.empty((1, 1))
         given["regressor"] = motion, weight, k, *shape, np.empty((1, 1, len(dynamics.INERTIA)))
+        given["constants_by"] = rows, rows
+        given["torque_by"] = (*given["torque"][:4], k, *shape, np.empty((1, 1, 1)))
         for name, arguments in given.items():
             start = time.perf_counter()
             getattr(self.compiled if hasattr(self.compiled, name) else dynamics, name)(*arguments)

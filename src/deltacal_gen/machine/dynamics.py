@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import importlib
 import importlib.util
 from abc import ABC, abstractmethod
@@ -15,6 +14,7 @@ import numpy as np
 from deltacal_gen.errors import UsageError
 from deltacal_gen.machine.chain import Chain
 from deltacal_gen.machine.limbs import Limbs
+from deltacal_gen.machine.machine import COORDINATES
 from deltacal_gen.machine.registry import mechanism_names, mechanism_of
 from deltacal_gen.machine.rotation import Array
 from deltacal_gen.machine.values import Link, Robot
@@ -58,7 +58,7 @@ class Dynamics(ABC):
     rotors: tuple[int, ...] = ()
 
     def __init__(self, robot: Robot, machine: Chain | Limbs) -> None:
-        self._kernels, self._tool = _kernels(machine.name), robot.tool
+        self._kernels, self._tool, self._robot = _kernels(machine.name), robot.tool, robot
         self.gravity = np.array(GRAVITY if robot.masses is None else robot.masses.gravity, dtype=float)
         self.joints, self.joint_units = machine.limbs, machine.joint_units
 
@@ -103,6 +103,27 @@ class Dynamics(ABC):
         Every sum of these with weights from 0 on could be built: masses are positive, inertias positive definite. What
         could be built is such a sum, as closely as the places are.
         """
+
+    @abstractmethod
+    def torque_by_errors(self, motion: Array, inertia: Array, names: Sequence[str]) -> Array:
+        """Return the derivatives (N, n_q, n) of the torques by source errors, joints held [N mm, N per mm or rad].
+
+        Forwards along the steps of the torque itself. With one parameter 1 and the others 0 they are those of its
+        column of the regressor.
+
+        Parameters
+        ----------
+        motion, inertia
+            See `torque`.
+        names : sequence of str
+            Of source errors, of the mechanism's parameters.
+        """
+
+    def _rows_by(self, names: Sequence[str]) -> Array:
+        """Return how rows of parameters (n, limbs or links, n_k) change with source errors: they are linear in them."""
+        machine = mechanism_of(self._robot)
+        along = np.eye(len(machine.parameters))[[machine.index[name] for name in names]]
+        return machine.rows(self._robot, along) - machine.rows(self._robot, 0.0 * along)
 
     def of_points(self, places: Array) -> Array:
         """Return the inertial parameters (M, 10) of 1 kg at each of some places (M, 3) [mm] in a body's frame."""
@@ -154,6 +175,16 @@ class ChainDynamics(Dynamics):
         for n, j in enumerate(self.rotors):
             out[:, j, n] = motion[2, :, j] / 1000.0
         return out
+
+    def torque_by_errors(self, motion: Array, inertia: Array, names: Sequence[str]) -> Array:
+        """Return the derivatives (N, n_q, n) of the torques by source errors; those of the tool move no body."""
+        motion, by = self._checked(motion), self._rows_by(names)[:, :, : self._machine.width]
+        rows = self._machine.rows(self._robot)[:, :, : self._machine.width]
+        tau = np.empty((len(names), *motion.shape[1:]))
+        masses = np.ascontiguousarray(inertia[: self._of_bodies], dtype=float).reshape(self.bodies, -1)
+        given = motion, masses, self.gravity, self._own, self._kernels.constants_by(rows, by)
+        self._kernels.torque_by(*given, *self._machine.shape, tau)
+        return np.moveaxis(tau, 0, 2)
 
     def payload(self, motion: Array, off: Array | None = None) -> Array:
         """Return the torques (N, n_q) that 1 kg asks for at the tool point, or off it, in the last frame."""
@@ -223,6 +254,28 @@ class LimbDynamics(Dynamics):
     def torque(self, motion: Array, inertia: Array) -> Array:
         """Return the torques (N, n_q); NaN where the machine cannot stand."""
         return self._asked(motion, np.append(inertia, 0.0))
+
+    def torque_by_errors(self, motion: Array, inertia: Array, names: Sequence[str]) -> Array:
+        """Return the derivatives (N, n_q, n) of the torques by source errors; NaN where the machine cannot stand."""
+        motion = self._checked(motion)
+        x, _, tool, k, c, gravity, shares = self._given(motion)
+        k_by, c_by = self._kernels.constants_by(self._rows, self._rows_by(names))
+        tau = np.empty((len(names), *motion.shape[1:]))
+        x_by, masses = self._moved_by(x, motion[0], names), np.append(inertia, 0.0)
+        self._kernels.torque_by(x, x_by, motion, tool, k, k_by, c, c_by, gravity, shares, masses, tau)
+        return np.moveaxis(tau, 0, 2)
+
+    def _moved_by(self, x: Array, q: Array, names: Sequence[str]) -> Array:
+        """Return how the platform's coordinates (n, N, n_x) change with source errors, joints held."""
+        machine, at = self._machine, [COORDINATES.index(name) for name in self._machine.platform]
+        pose, _ = machine.forward(q, self._tool, self._rows)
+        columns = [machine.index[name] for name in names]
+        found = np.moveaxis(machine.sensitivity(pose, q, self._tool, self._rows).parameters[:, :, columns], 2, 0).copy()
+        c = np.zeros((len(x), len(COORDINATES)))
+        c[:, at] = x
+        w, c = found[:, :, 3:], c[:, 3:]  # a turn about the axes of {O}, and the Cayley vector that it changes
+        found[:, :, 3:] = w + np.cross(w, c) / 2 + np.einsum("ni,nj,enj->eni", c, c, w) / 4
+        return np.ascontiguousarray(found[:, :, at])
 
     def payload(self, motion: Array, off: Array | None = None) -> Array:
         """Return the torques (N, n_q) that 1 kg at the reference point asks for.
@@ -309,34 +362,6 @@ def dynamics_of(robot: Robot) -> Dynamics:
         return ChainDynamics(robot, machine)
     assert isinstance(machine, Limbs)
     return LimbDynamics(robot, machine)
-
-
-def torque_by_errors(robot: Robot, motion: Array, inertia: Array, names: Sequence[str]) -> Array:
-    """Return the derivatives (N, n_q, n) of the torques by source errors [N mm, N per mm or rad].
-
-    Differences of fourth order of the compiled torques, joints held: what is left is rounding, some 1e-10 of them.
-
-    Parameters
-    ----------
-    motion : (3, N, n_q) array
-        See `Dynamics.regressor`.
-    inertia : (n,) array
-        See `Dynamics.torque`.
-    names : sequence of str
-        Of source errors, of the mechanism's parameters.
-    """
-    machine = mechanism_of(robot)
-
-    def at(name: str, by: float) -> Array:
-        errors = robot.errors | {name: robot.errors.get(name, 0.0) + by}
-        return dynamics_of(dataclasses.replace(robot, errors=errors)).torque(motion, inertia)
-
-    columns = []
-    for name in names:
-        h = machine.parameters[machine.index[name]].typical
-        near, far = at(name, h) - at(name, -h), at(name, 2 * h) - at(name, -2 * h)
-        columns.append((8 * near - far) / (12 * h))
-    return np.stack(columns, axis=2) if columns else np.zeros((*motion.shape[1:], 0))
 
 
 def known() -> tuple[str, ...]:

@@ -198,6 +198,9 @@ class Limbs(Machine):
             given = x, np.ones((3, 1, self.limbs)), tool, k, c, np.ones(3), np.ones(self.limbs)
             yield from done(self.moving, "torque", *given, inertia, one)
             yield from done(self.moving, "regressor", *given, np.empty((1, self.limbs, len(inertia) - 1)))
+            k_by, c_by = yield from done(self.moving, "constants_by", rows, rows)
+            slopes = x, x[None], given[1], tool, k, k_by, c, c_by, *given[5:], inertia, one[None]
+            yield from done(self.moving, "torque_by", *slopes)
         exact, linear = servo.exact_state(rows[0], tool[0], sign), servo.linear_state(rows[0], tool[0], sign)
         yield from done(servo, "exact_command", *command, exact)
         yield from done(servo, "linear_command", *command, linear)

@@ -11,7 +11,6 @@ import numpy as np
 
 from deltacal_gen.errors import InputError
 from deltacal_gen.files.robot import kept_robot
-from deltacal_gen.machine.dynamics import torque_by_errors
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.bands import uncertainty_of
 from deltacal_gen.motion.derivatives import motion
@@ -196,7 +195,7 @@ class Session:
             return None
         j, sign = fit.joint.number - 1, self.robot.joint_sign
         picked, states, inertia = self._some(fit)
-        slopes = torque_by_errors(self.robot, sign * states, inertia, list(known))[:, j] * list(known.values())
+        slopes = self.rigid.dynamics.torque_by_errors(sign * states, inertia, list(known))[:, j] * list(known.values())
         columns = fit.joint.columns(fit.rungs, fit.load)[picked]
         columns = columns / np.maximum(np.linalg.norm(columns, axis=0), 1e-300)
         left = slopes - columns @ np.linalg.lstsq(columns, slopes, rcond=1e-9)[0]
