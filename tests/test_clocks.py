@@ -282,3 +282,28 @@ def test_readings_that_come_late_need_no_speeds_in_the_file(tmp_path: Path) -> N
     assert [e["name"] for e in found["effects"]] == ["latency"]
     (delay,) = found["effects"][0]["parameters"]
     assert abs(delay["value"] - 0.012) < 4 * delay["std"] < 1e-3
+
+
+def test_a_joint_that_twists_with_acceleration_needs_none_in_the_file(tmp_path: Path) -> None:
+    """Simulated by exact accelerations, which are then taken out of the file: they come from the joints themselves."""
+    t = np.arange(0.0, 3.0, 0.015)
+    w, phase = np.array([3.1, 5.3, 8.9])[:, None], np.random.default_rng(4).uniform(0, 6, (3, 3))
+    angle = w * t[:, None, None] + phase
+    size = np.array([[12.0], [7.0], [4.0]])
+    q = 15 + (size * np.sin(angle)).sum(axis=1)
+    qd, qdd = (size * w * np.cos(angle)).sum(axis=1), -(size * w**2 * np.sin(angle)).sum(axis=1)
+    rates = [f"{word}{i}_{unit}" for word, unit in (("qd", "deg_s"), ("qdd", "deg_s2")) for i in (1, 2, 3)]
+    table(tmp_path / "exact.csv", ["time_s", *Q, *rates], [t, *q.T, *qd.T, *qdd.T])
+    (tmp_path / "exact.toml").write_text(f'[measurement]\nkind = "position"\nsigma_mm = {NOISE}\n')
+    (tmp_path / "robot.toml").write_text(robot_to_toml(ROBOT))
+    truth = '[[effects]]\nname = "inertial_deflection"\nlimbs = [1, 2, 3]\ncompliance = 0.05\n'
+    (tmp_path / "truth.toml").write_text(truth)
+    made = tmp_path / "made.csv"
+    dc.simulate(tmp_path / "robot.toml", tmp_path / "exact.csv", made, truth=tmp_path / "truth.toml", noise=NOISE)
+    cells = [line.split(",") for line in made.read_text().splitlines()]
+    kept = [k for k, name in enumerate(cells[0]) if name not in rates]
+    made.write_text("\n".join(",".join(row[k] for k in kept) for row in cells) + "\n")
+    found = dc.diagnose(tmp_path / "robot.toml", made, model="delta/3")
+    assert [e["name"] for e in found["effects"]] == ["inertial_deflection"]
+    for p in found["effects"][0]["parameters"]:
+        assert abs(p["value"] - 0.05) < 4 * p["std"] < 0.01, p
