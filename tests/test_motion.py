@@ -53,6 +53,20 @@ def test_friction_is_named_where_it_is_and_nowhere_else(diagnosed: Any) -> None:
             assert p["unit"] == {"coulomb": "Nm", "viscous": "Nm s/deg"}[p["name"]]
 
 
+def test_drives_of_one_make_have_one_friction(diagnosed: Any, tmp_path: Path) -> None:
+    """Surer than that of any joint; where joints differ each has its own alone."""
+    assert all("common" not in effect for effect in diagnosed["effects"])
+    path = written(tmp_path, lambda states, load: 4.0 * np.sign(states[1]) + 0 * load)
+    found = dc.diagnose(tmp_path / "robot.toml", path, report=tmp_path / "page.html")
+    (effect,) = found["effects"]
+    (common,) = effect["common"]
+    assert (effect["name"], effect["limbs"]) == ("coulomb_friction", [1, 2, 3])
+    assert (common["name"], common["limb"], common["unit"]) == ("coulomb", None, "Nm")
+    assert abs(common["value"] - 4.0) < 4 * common["std"]
+    assert common["std"] < min(p["std"] for p in effect["parameters"])
+    assert "all alike" in (tmp_path / "page.html").read_text()
+
+
 def test_what_is_left_is_noise_and_told_joint_by_joint(diagnosed: Any) -> None:
     final, before = diagnosed["final"], diagnosed["baseline"]
     assert before["model"] == "serial/rigid"

@@ -11,6 +11,7 @@ from scipy.stats import chi2
 from deltacal_gen.machine.places import place_of
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.bodies import Found, beside, searched
+from deltacal_gen.motion.common import in_common
 from deltacal_gen.motion.fit import Fit, fitted
 from deltacal_gen.motion.identification import RIGID, bodies_told
 from deltacal_gen.motion.ladder import BUYS, LookedAt
@@ -166,12 +167,17 @@ def _effect(session: Session, where: Sequence[tuple[Fit, int]], excess: Mapping[
     for of, k in where:
         removed += excess[of.joint.number] * ((1.0 - of.bought[k]) ** -2 - 1.0) / of.takes_away
     tried = sum(len(fit.joint.candidates) for fit, _ in where)
+    parameters = tuple(p for fit, n in where for p in _parameters(session, fit, n))
+    common = in_common(parameters)
+    own = sum(gains), fit.rungs[n].width * len(where)
+    charged = own if common is None else (own[0] - common.lost, fit.rungs[n].width)
     return TorqueEffect(
         name=fit.rungs[n].effect,
         title=kernels.TITLE,
         limbs=tuple(fit.joint.number for fit, _ in where),
-        parameters=tuple(p for fit, n in where for p in _parameters(session, fit, n)),
-        p_value=_of_the_best(sum(gains), fit.rungs[n].width * len(where), tried),
+        parameters=parameters,
+        common=None if common is None else common.parameters,
+        p_value=_of_the_best(*charged, tried),
         gain_chi2=float(sum(gains)),
         gain_by_limb={str(fit.joint.number): float(fit.gains[n]) for fit, n in where},
         share_of_excess=removed / max(sum(excess.values()), 1e-300),

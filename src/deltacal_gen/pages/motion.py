@@ -102,13 +102,13 @@ def _diagnosed(found: MotionDiagnosis) -> dict[str, Any]:
         "parameters": [
             (
                 report.spaced(e.name),
-                str(p.limb or p.setup or ""),
+                str(p.limb or p.setup or ("all alike" if p in (e.common or ()) else "")),
                 p.name,
                 report.measured(p.value, p.std),
                 "" if p.unit == "1" else p.unit,
             )
             for e in found.effects
-            for p in e.parameters
+            for p in (*e.parameters, *(e.common or ()))
         ],
         "law": _law(found),
         "rejected": [(report.spaced(r.name), f"{r.gain_chi2:.0f}", r.why) for r in found.rejected],

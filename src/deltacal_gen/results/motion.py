@@ -10,7 +10,17 @@ from collections.abc import Iterable, Sequence
 from typing import Literal
 
 from deltacal_gen.results.base import Answer, Column, Numbers, Value
-from deltacal_gen.results.diagnosis import Effect, Hint, LawOf, Location, NextMeasurement, Rejected, Searched, Verdict
+from deltacal_gen.results.diagnosis import (
+    Effect,
+    EffectParameter,
+    Hint,
+    LawOf,
+    Location,
+    NextMeasurement,
+    Rejected,
+    Searched,
+    Verdict,
+)
 from deltacal_gen.results.parts import Made, Missing, RobotTables, Source
 from deltacal_gen.results.result import OpenCombination, Parameter, Read, Regularisation
 from deltacal_gen.results.study import Suspect
@@ -294,6 +304,9 @@ class TorqueEffect(Effect):
 
     heldout_gain: tuple[float, ...]
     """Part of the held-out rms that it takes away, joint by joint of `limbs`."""
+    common: tuple[EffectParameter, ...] | None = None
+    """One value for all of `limbs`, where those of the joints agree within their deviations: `p_value` charges it once.
+    """
 
 
 class TorqueRejected(Rejected):
