@@ -221,6 +221,15 @@ def test_a_delay_is_found_beside_bodies_that_are_known(tmp_path: Path) -> None:
     assert found["known"] is not None
 
 
+def test_dry_friction_that_comes_late_is_no_friction_that_builds_up(tmp_path: Path) -> None:
+    """20 ms at every reversal look like a way over which friction builds up."""
+    path = written(tmp_path, usual, delay=(0.02, 0.0, 0.0))
+    found = dc.diagnose(tmp_path / "robot.toml", path)
+    assert named(found) == {"coulomb_friction": [1, 2], "viscous_friction": [1, 3], "latency": [1]}
+    (delay,) = (p for e in found["effects"] if e["name"] == "latency" for p in e["parameters"])
+    assert abs(delay["value"] - 0.02) < 4 * delay["std"] < 0.5e-3
+
+
 def test_bodies_as_the_file_states_them_leave_the_rotor_its_inertia(tmp_path: Path) -> None:
     """Beside links of unknown inertia nobody tells a rotor; beside known ones its inertia stands by itself."""
     made = carried(tmp_path, '[[effects]]\nname = "rotor_inertia"\nlimbs = [1]\ninertia = 5e5\n')

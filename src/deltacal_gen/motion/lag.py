@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from deltacal_gen.motion.fit import Fit, Lag, climbed
-from deltacal_gen.motion.joint import Joint
+from deltacal_gen.motion.joint import USUAL, Joint
 from deltacal_gen.motion.ladder import BUYS, PER_COEFFICIENT
 from deltacal_gen.motion.library import Rung
 from deltacal_gen.motion.regression import Bench
@@ -21,15 +21,32 @@ SETTLED = 0.1  # standard deviations that a last step may move
 
 
 def with_lag(fit: Fit) -> Fit:
-    """Return a joint's ladder with the delay of its readings, where that is worth it; the ladder is climbed again."""
-    found = _lag(fit.joint, fit.rungs, fit.load)
+    """Return a joint's ladder with the delay of its readings, where that is worth it; the ladder is climbed again.
+
+    Dry friction that comes late looks like friction that builds up over a way, beside which no small delay buys a
+    thing: beside usual friction it is looked for once more, and must then buy more than the rungs that had been taken.
+    """
+    found = _late(fit, fit.rungs)
+    if found is not None or not any("travels" in rung.kernels.SEARCHED for rung in fit.rungs):
+        return fit if found is None else found
+    found = _late(fit, [Rung(name) for name in USUAL])
+    return fit if found is None or _size(found) > (1.0 - BUYS) * _size(fit) else found
+
+
+def _late(fit: Fit, rungs: Sequence[Rung]) -> Fit | None:
+    """Return the ladder with a delay that is found beside some rungs; None where it is worth nothing."""
+    found = _lag(fit.joint, rungs, fit.load)
     if found is None or not _worth(found):
-        return fit
+        return None
     again = climbed(fit.joint.series.at(found.delay))
     found = _lag(again.joint, again.rungs, again.load)
     if found is None or not _worth(found):
-        return fit
+        return None
     return dataclasses.replace(again, lag=dataclasses.replace(found, delay=again.joint.delay))
+
+
+def _size(fit: Fit) -> float:
+    return float(np.sqrt(np.nanmean(fit.held_out**2)))
 
 
 def _worth(lag: Lag) -> bool:
