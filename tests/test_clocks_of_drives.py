@@ -163,6 +163,14 @@ def test_a_movement_that_tells_no_clock_is_refused(tmp_path: Path, course: Cours
         dc.diagnose(tmp_path / "robot.toml", path)
 
 
+def test_which_of_the_repetitions_it_is_can_be_said(tmp_path: Path) -> None:
+    path = written(tmp_path, circling, offsets={"a": 0.3}, rate=0.0)
+    with path.with_suffix(".toml").open("a") as sidecar:
+        sidecar.write("clock_offset_s = 0.31\n")
+    found = clocks(dc.identify(tmp_path / "robot.toml", path))
+    assert found["clock_offset", "a"]["value"] == pytest.approx(0.3, abs=0.5e-3)
+
+
 def test_a_simulation_has_the_clock_of_its_truth(tmp_path: Path) -> None:
     path = written(tmp_path, offsets={"a": 0.0}, rate=0.0)
     (tmp_path / "robot.toml").write_text(robot_to_toml(robot(BODIED)))

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 MOST_LAGS = 20000  # offsets that are looked at
 GRID = 0.02  # s between offsets that are looked at first: a tenth of the quickest swing of a large machine
 LOOKED_AT, IN_ALL = 400, 1000  # readings of a run, and of all runs, at most, by which offsets are looked at
+ABOUT = 0.25  # s by which an offset that is said may be off
 OVERLAP = 0.5  # of the readings that an offset may leave with joints, at least, of the most that any leaves
 ROUNDS = 20
 SETTLED = 0.02  # standard deviations that the last step may still move a clock by
@@ -154,6 +155,8 @@ class Bar:
 def first(given: Clocked, made_of: Callable[[Sequence[int]], Sequence[Made]], bar: Bar) -> Clock:
     """Return where the clocks stand about, by an offset of every run, or one of all.
 
+    Where a movement repeats itself, the sidecar may say which of its repetitions it is.
+
     Parameters
     ----------
     made_of : callable
@@ -207,7 +210,11 @@ def _best(given: Clocked, runs: Sequence[int], groups: Sequence[Made], bar: Bar)
     least, lag = _lowest(between, lags, best)
     if (other := _other_valley(left, best)) is not None:
         rival, elsewhere = _lowest(between, lags, other)
-        if rival < bar.as_good * max(least, bar.exact):
+        alike = rival < bar.as_good * max(least, bar.exact)
+        if alike and given.offset is not None:
+            near = np.where(np.abs(lags - given.offset) < ABOUT, left, np.inf)
+            return _lowest(between, lags, int(np.argmin(near)))[1]
+        if alike:
             raise refused(
                 given,
                 f"offsets of {lag:.3f} s and {elsewhere:.3f} s do as well, since the movement repeats itself",
