@@ -3,7 +3,8 @@
 =========  ==========================================================================================================
 collect    the specs: one per file in ``mechanisms/``, ``effects/``, ``measurements/``; a file's presence registers it
 derive     a spec becomes functions on graphs of named steps: closures, seeds, derivatives (``mathematics/``)
-lower      functions become kernels: loads, assignments, stores, in the order of evaluation (``lower.py``)
+lower      functions become kernels: loads, assignments, stores, in the order of evaluation (``lower.py``); those of a
+           torque get others beside them, of its rates (``tangent.py``)
 write      kernels become text: a target prints and lays out lines (``backends/``), a template puts them into a file
 =========  ==========================================================================================================
 
