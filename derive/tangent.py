@@ -59,8 +59,9 @@ def of_limbs(
     """Return the rates of the kernels by which limbs stand and move, by their names; ``of_machine``: constants."""
     still = {lane(layout.shared["going"]), lane(layout.limb["q"])}
     still |= {lane(layout.limb["tool"] + j) for j in range(len(mechanism.tool))}
-    still |= {lane(layout.shared["step"] + j) for j in range(len(mechanism.platform))}
     standing = {name: moving[name] for name in ("early", "more", "rows", "joints", "inverse")}
-    standing |= {"move_platform": moving["move"], "of_machine": moving["constants"]}
+    standing |= {"of_machine": moving["constants"]}
     every = standing | {name: kernel for name, kernel in motion.items() if name != "give_each"}
-    return {name: tangent(kernel, still) for name, kernel in every.items()}
+    found = {name: tangent(kernel, still) for name, kernel in every.items()}
+    place = {lane(layout.limb["x"] + j) for j in range(len(mechanism.platform))}
+    return found | {"move_platform": tangent(moving["move"], still | place)}  # errors move it by a step

@@ -1,7 +1,7 @@
 """Dynamics of `complete_delta`, many samples at once: Delta, complete geometry of the six rods.
 
 Generated from derive/mechanisms/complete_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/dynamics.py.jinja; sha256 of both 238b776d9b6564dd; SymPy 1.14.0.
+Template templates/mechanism/dynamics.py.jinja; sha256 of both 24a5275d985d8e50; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the sample first; mm, rad, s, kg, N:
 
@@ -2011,7 +2011,7 @@ def constants_by(p, p_by):
 
 @straight
 def _move_platform_by(w, w_by, d, d_by, s, s_by, k, k_by, gravity, shares, inertia, n):
-    """Rates of the platform after a step, and its rotation matrix (206 operations)."""
+    """Rates of the platform after a step, and its rotation matrix (187 operations)."""
     for lane in range(n):
         cx_now = w[224 + lane]
         cy_now = w[256 + lane]
@@ -2020,24 +2020,33 @@ def _move_platform_by(w, w_by, d, d_by, s, s_by, k, k_by, gravity, shares, inert
         y4_now = w[10112 + lane]
         y5_now = w[10144 + lane]
         going_now = w[10240 + lane]
-        px_now_by = w_by[128 + lane]
-        py_now_by = w_by[160 + lane]
-        pz_now_by = w_by[192 + lane]
-        cx_now_by = w_by[224 + lane]
-        cy_now_by = w_by[256 + lane]
-        cz_now_by = w_by[288 + lane]
+        y0_now_by = w_by[9984 + lane]
+        y1_now_by = w_by[10016 + lane]
+        y2_now_by = w_by[10048 + lane]
+        y3_now_by = w_by[10080 + lane]
+        y4_now_by = w_by[10112 + lane]
+        y5_now_by = w_by[10144 + lane]
         s10_now = 0.5*cz_now
         s11_now = 0.25*cx_now*cy_now
         s14_now = -0.5*cy_now
         s15_now = 0.25*cx_now*cz_now
-        s17_now = -going_now*y5_now*(s14_now + s15_now)
-        new_30_now = cx_now - going_now*y3_now*(0.25*(cx_now * cx_now) + 1) - going_now*y4_now*(s10_now + s11_now) + s17_now
+        s10 = s14_now + s15_now
+        s17_now = -going_now*s10*y5_now
+        s14 = 0.25*(cx_now * cx_now) + 1
+        s16 = s10_now + s11_now
+        new_30_now = cx_now - going_now*s14*y3_now - going_now*s16*y4_now + s17_now
         s25_now = 0.5*cx_now
         s26_now = 0.25*cy_now*cz_now
-        s28_now = -going_now*y5_now*(s25_now + s26_now)
-        new_40_now = cy_now - going_now*y3_now*(-s10_now + s11_now) - going_now*y4_now*(0.25*(cy_now * cy_now) + 1) + s28_now
-        s37_now = -going_now*y5_now*(0.25*(cz_now * cz_now) + 1)
-        new_50_now = cz_now - going_now*y3_now*(-s14_now + s15_now) - going_now*y4_now*(-s25_now + s26_now) + s37_now
+        s21 = s25_now + s26_now
+        s28_now = -going_now*s21*y5_now
+        s23 = -s10_now + s11_now
+        s27 = 0.25*(cy_now * cy_now) + 1
+        new_40_now = cy_now - going_now*s23*y3_now - going_now*s27*y4_now + s28_now
+        s32 = 0.25*(cz_now * cz_now) + 1
+        s37_now = -going_now*s32*y5_now
+        s34 = -s14_now + s15_now
+        s36 = -s25_now + s26_now
+        new_50_now = cz_now - going_now*s34*y3_now - going_now*s36*y4_now + s37_now
         s39_now = (new_30_now * new_30_now)
         s41_now = (new_40_now * new_40_now)
         s43_now = (new_50_now * new_50_now)
@@ -2049,82 +2058,73 @@ def _move_platform_by(w, w_by, d, d_by, s, s_by, k, k_by, gravity, shares, inert
         s55_now = 0.5*new_30_now*new_50_now
         s60_now = -0.5*s39_now
         s64_now = 0.5*new_40_now*new_50_now
-        s74 = 0.5*cz_now_by
-        s75 = 0.25*cy_now
-        s76 = 0.25*cx_now
-        s79 = cx_now_by*s75 + cy_now_by*s76
-        s80 = -0.5*cy_now_by
-        s81 = 0.25*cz_now
-        s84 = cx_now_by*s81 + cz_now_by*s76
-        s87 = -going_now*y5_now
-        s94 = -going_now*y3_now
-        s99 = -going_now*y4_now
-        s102 = 0.5*cx_now*cx_now_by*s94 + cx_now_by + s87*(s80 + s84) + s99*(s74 + s79)
-        s103 = 0.5*cx_now_by
-        s106 = cy_now_by*s81 + cz_now_by*s75
-        s121 = 0.5*cy_now*cy_now_by*s99 + cy_now_by + s87*(s103 + s106) + s94*(-s74 + s79)
-        s136 = 0.5*cz_now*cz_now_by*s87 + cz_now_by + s94*(-s80 + s84) + s99*(-s103 + s106)
-        s138 = 2*new_30_now*s102
-        s140 = 2*new_40_now*s121
-        s142 = 2*new_50_now*s136
-        s148 = -(0.25*s138 + 0.25*s140 + 0.25*s142)/(s45 * s45)
-        s149 = -0.5*s140
-        s150 = -0.5*s142
-        s154 = s148*(s47_now + s48_now) + s46_now*(s149 + s150)
-        s155 = 0.5*new_40_now
-        s156 = 0.5*new_30_now
-        s159 = s102*s155 + s121*s156
-        s163 = s148*(-new_50_now + s52_now) + s46_now*(-s136 + s159)
-        s164 = 0.5*new_50_now
-        s167 = s102*s164 + s136*s156
-        s171 = s148*(new_40_now + s55_now) + s46_now*(s121 + s167)
-        s175 = s148*(new_50_now + s52_now) + s46_now*(s136 + s159)
-        s176 = -0.5*s138
-        s180 = s148*(s48_now + s60_now) + s46_now*(s150 + s176)
-        s183 = s121*s164 + s136*s155
-        s187 = s148*(-new_30_now + s64_now) + s46_now*(-s102 + s183)
-        s191 = s148*(-new_40_now + s55_now) + s46_now*(-s121 + s167)
-        s195 = s148*(new_30_now + s64_now) + s46_now*(s102 + s183)
-        s199 = s148*(s47_now + s60_now) + s46_now*(s149 + s176)
-        w_by[128 + lane] = px_now_by
-        w_by[3456 + lane] = px_now_by
-        w_by[6784 + lane] = px_now_by
-        w_by[160 + lane] = py_now_by
-        w_by[3488 + lane] = py_now_by
-        w_by[6816 + lane] = py_now_by
-        w_by[192 + lane] = pz_now_by
-        w_by[3520 + lane] = pz_now_by
-        w_by[6848 + lane] = pz_now_by
-        w_by[224 + lane] = s102
-        w_by[256 + lane] = s121
-        w_by[288 + lane] = s136
-        w_by[320 + lane] = s154
-        w_by[3648 + lane] = s154
-        w_by[6976 + lane] = s154
-        w_by[352 + lane] = s163
-        w_by[3680 + lane] = s163
-        w_by[7008 + lane] = s163
-        w_by[384 + lane] = s171
-        w_by[3712 + lane] = s171
-        w_by[7040 + lane] = s171
-        w_by[416 + lane] = s175
-        w_by[3744 + lane] = s175
-        w_by[7072 + lane] = s175
-        w_by[448 + lane] = s180
-        w_by[3776 + lane] = s180
-        w_by[7104 + lane] = s180
-        w_by[480 + lane] = s187
-        w_by[3808 + lane] = s187
-        w_by[7136 + lane] = s187
-        w_by[512 + lane] = s191
-        w_by[3840 + lane] = s191
-        w_by[7168 + lane] = s191
-        w_by[544 + lane] = s195
-        w_by[3872 + lane] = s195
-        w_by[7200 + lane] = s195
-        w_by[576 + lane] = s199
-        w_by[3904 + lane] = s199
-        w_by[7232 + lane] = s199
+        s74 = -going_now*y0_now_by
+        s75 = -going_now*y1_now_by
+        s76 = -going_now*y2_now_by
+        s93 = -going_now*s10*y5_now_by - going_now*s14*y3_now_by - going_now*s16*y4_now_by
+        s104 = -going_now*s21*y5_now_by - going_now*s23*y3_now_by - going_now*s27*y4_now_by
+        s115 = -going_now*s32*y5_now_by - going_now*s34*y3_now_by - going_now*s36*y4_now_by
+        s117 = 2*new_30_now*s93
+        s119 = 2*new_40_now*s104
+        s121 = 2*new_50_now*s115
+        s127 = -(0.25*s117 + 0.25*s119 + 0.25*s121)/(s45 * s45)
+        s128 = -0.5*s119
+        s129 = -0.5*s121
+        s133 = s127*(s47_now + s48_now) + s46_now*(s128 + s129)
+        s134 = 0.5*new_40_now
+        s135 = 0.5*new_30_now
+        s138 = s104*s135 + s134*s93
+        s142 = s127*(-new_50_now + s52_now) + s46_now*(-s115 + s138)
+        s143 = 0.5*new_50_now
+        s146 = s115*s135 + s143*s93
+        s150 = s127*(new_40_now + s55_now) + s46_now*(s104 + s146)
+        s154 = s127*(new_50_now + s52_now) + s46_now*(s115 + s138)
+        s155 = -0.5*s117
+        s159 = s127*(s48_now + s60_now) + s46_now*(s129 + s155)
+        s162 = s104*s143 + s115*s134
+        s166 = s127*(-new_30_now + s64_now) + s46_now*(s162 - s93)
+        s170 = s127*(-new_40_now + s55_now) + s46_now*(-s104 + s146)
+        s174 = s127*(new_30_now + s64_now) + s46_now*(s162 + s93)
+        s178 = s127*(s47_now + s60_now) + s46_now*(s128 + s155)
+        w_by[128 + lane] = s74
+        w_by[3456 + lane] = s74
+        w_by[6784 + lane] = s74
+        w_by[160 + lane] = s75
+        w_by[3488 + lane] = s75
+        w_by[6816 + lane] = s75
+        w_by[192 + lane] = s76
+        w_by[3520 + lane] = s76
+        w_by[6848 + lane] = s76
+        w_by[224 + lane] = s93
+        w_by[256 + lane] = s104
+        w_by[288 + lane] = s115
+        w_by[320 + lane] = s133
+        w_by[3648 + lane] = s133
+        w_by[6976 + lane] = s133
+        w_by[352 + lane] = s142
+        w_by[3680 + lane] = s142
+        w_by[7008 + lane] = s142
+        w_by[384 + lane] = s150
+        w_by[3712 + lane] = s150
+        w_by[7040 + lane] = s150
+        w_by[416 + lane] = s154
+        w_by[3744 + lane] = s154
+        w_by[7072 + lane] = s154
+        w_by[448 + lane] = s159
+        w_by[3776 + lane] = s159
+        w_by[7104 + lane] = s159
+        w_by[480 + lane] = s166
+        w_by[3808 + lane] = s166
+        w_by[7136 + lane] = s166
+        w_by[512 + lane] = s170
+        w_by[3840 + lane] = s170
+        w_by[7168 + lane] = s170
+        w_by[544 + lane] = s174
+        w_by[3872 + lane] = s174
+        w_by[7200 + lane] = s174
+        w_by[576 + lane] = s178
+        w_by[3904 + lane] = s178
+        w_by[7232 + lane] = s178
 
 
 @straight
@@ -4281,6 +4281,19 @@ def _give_by(w, w_by, d, d_by, s, s_by, k, k_by, gravity, shares, inertia, n):
 
 
 @straight
+def _step_by(moves, w_by, first, last, n):
+    """Move the platform by its twists, which a step takes off, the last one again for the rest of `n`."""
+    for lane in range(n):
+        m = min(first + lane, last)
+        w_by[9984 + lane] = -moves[6 * m + 0]
+        w_by[10016 + lane] = -moves[6 * m + 1]
+        w_by[10048 + lane] = -moves[6 * m + 2]
+        w_by[10080 + lane] = -moves[6 * m + 3]
+        w_by[10112 + lane] = -moves[6 * m + 4]
+        w_by[10144 + lane] = -moves[6 * m + 5]
+
+
+@straight
 def _held(w, size):
     """Begin with nothing that changes."""
     for n in range(size):
@@ -4365,7 +4378,7 @@ def _torque_by(x, x_by, motion, tool, k, k_by, c, c_by, gravity, shares, inertia
                 k_by_1, own_by_1 = k_by[e, 0], c_by[e, 0]
                 k_by_2, own_by_2 = k_by[e, 1], c_by[e, 1]
                 k_by_3, own_by_3 = k_by[e, 2], c_by[e, 2]
-                _place(moves[e * samples * 6 :], w_by, first, last, n)
+                _step_by(moves[e * samples * 6 :], w_by, first, last, n)
                 _move_platform_by(w, w_by, d, d_by, s, s_by, k_1, k_by_1, gravity, shares, inertia, n)
                 _early_by(
                     w_1, u_1, d_1, e_1, s, s_by, k_1, k_by_1,
@@ -4463,6 +4476,7 @@ def _torque_by(x, x_by, motion, tool, k, k_by, c, c_by, gravity, shares, inertia
 def torque_by(x, x_by, motion, tool, k, k_by, c, c_by, gravity, shares, inertia, tau):
     """Fill tau (E, N, 3) [N mm, N]: how `torque` of one machine changes along each of E errors, joints held.
 
-    x_by (E, N, 6) is how its platform moves along them, k_by and c_by are what `constants_by` makes of them.
+    x_by (E, N, 6) are its platform's twists along them, shift and turn about the axes of {O}; k_by and c_by are
+    what `constants_by` makes of them.
     """
     _torque_by(x, x_by, motion, tool, k, k_by, c, c_by, gravity, shares, inertia, tau)

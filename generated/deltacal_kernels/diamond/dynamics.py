@@ -1,7 +1,7 @@
 """Dynamics of `diamond`, many samples at once: Diamond, two arms in a plane.
 
 Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/dynamics.py.jinja; sha256 of both f5850be76b5365e0; SymPy 1.14.0.
+Template templates/mechanism/dynamics.py.jinja; sha256 of both a7edf3533a14cb88; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the sample first; mm, rad, s, kg, N:
 
@@ -645,14 +645,17 @@ def constants_by(p, p_by):
 
 @straight
 def _move_platform_by(w, w_by, d, d_by, s, s_by, k, k_by, gravity, shares, inertia, n):
-    """Rates of the platform after a step, and its rotation matrix (0 operations)."""
+    """Rates of the platform after a step, and its rotation matrix (4 operations)."""
     for lane in range(n):
-        px_now_by = w_by[128 + lane]
-        py_now_by = w_by[160 + lane]
-        w_by[128 + lane] = px_now_by
-        w_by[1024 + lane] = px_now_by
-        w_by[160 + lane] = py_now_by
-        w_by[1056 + lane] = py_now_by
+        going_now = w[1888 + lane]
+        y0_now_by = w_by[1792 + lane]
+        y1_now_by = w_by[1824 + lane]
+        s4 = -going_now*y0_now_by
+        s5 = -going_now*y1_now_by
+        w_by[128 + lane] = s4
+        w_by[1024 + lane] = s4
+        w_by[160 + lane] = s5
+        w_by[1056 + lane] = s5
 
 
 @straight
@@ -1149,6 +1152,15 @@ def _give_by(w, w_by, d, d_by, s, s_by, k, k_by, gravity, shares, inertia, n):
 
 
 @straight
+def _step_by(moves, w_by, first, last, n):
+    """Move the platform by its twists, which a step takes off, the last one again for the rest of `n`."""
+    for lane in range(n):
+        m = min(first + lane, last)
+        w_by[1792 + lane] = -moves[2 * m + 0]
+        w_by[1824 + lane] = -moves[2 * m + 1]
+
+
+@straight
 def _held(w, size):
     """Begin with nothing that changes."""
     for n in range(size):
@@ -1220,7 +1232,7 @@ def _torque_by(x, x_by, motion, tool, k, k_by, c, c_by, gravity, shares, inertia
             for e in range(len(k_by)):
                 k_by_1, own_by_1 = k_by[e, 0], c_by[e, 0]
                 k_by_2, own_by_2 = k_by[e, 1], c_by[e, 1]
-                _place(moves[e * samples * 2 :], w_by, first, last, n)
+                _step_by(moves[e * samples * 2 :], w_by, first, last, n)
                 _move_platform_by(w, w_by, d, d_by, s, s_by, k_1, k_by_1, gravity, shares, inertia, n)
                 _early_by(
                     w_1, u_1, d_1, e_1, s, s_by, k_1, k_by_1,
@@ -1290,6 +1302,7 @@ def _torque_by(x, x_by, motion, tool, k, k_by, c, c_by, gravity, shares, inertia
 def torque_by(x, x_by, motion, tool, k, k_by, c, c_by, gravity, shares, inertia, tau):
     """Fill tau (E, N, 2) [N mm, N]: how `torque` of one machine changes along each of E errors, joints held.
 
-    x_by (E, N, 2) is how its platform moves along them, k_by and c_by are what `constants_by` makes of them.
+    x_by (E, N, 2) are its platform's twists along them, shift and turn about the axes of {O}; k_by and c_by are
+    what `constants_by` makes of them.
     """
     _torque_by(x, x_by, motion, tool, k, k_by, c, c_by, gravity, shares, inertia, tau)

@@ -1,7 +1,7 @@
 """Dynamics of `planar_parallelogram`, many samples at once: Planar parallelogram, one joint.
 
 Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/dynamics.py.jinja; sha256 of both 216ea83a20fc080b; SymPy 1.14.0.
+Template templates/mechanism/dynamics.py.jinja; sha256 of both 5e27be022abae736; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the sample first; mm, rad, s, kg, N:
 
@@ -727,30 +727,33 @@ def constants_by(p, p_by):
 
 @straight
 def _move_platform_by(w, w_by, d, d_by, s, s_by, k, k_by, gravity, shares, inertia, n):
-    """Rates of the platform after a step, and its rotation matrix (32 operations)."""
+    """Rates of the platform after a step, and its rotation matrix (34 operations)."""
     for lane in range(n):
         cz_now = w[192 + lane]
         y2_now = w[2208 + lane]
         going_now = w[2272 + lane]
-        px_now_by = w_by[128 + lane]
-        py_now_by = w_by[160 + lane]
-        cz_now_by = w_by[192 + lane]
-        new_20_now = cz_now - going_now*y2_now*(0.25*(cz_now * cz_now) + 1)
+        y0_now_by = w_by[2144 + lane]
+        y1_now_by = w_by[2176 + lane]
+        y2_now_by = w_by[2208 + lane]
+        s6 = 0.25*(cz_now * cz_now) + 1
+        new_20_now = cz_now - going_now*s6*y2_now
         s9_now = (new_20_now * new_20_now)
         s11 = 0.25*s9_now + 1
         s12_now = (1.0 / s11)
-        s23 = -0.5*cz_now*cz_now_by*going_now*y2_now + cz_now_by
-        s25 = 2*new_20_now*s23
-        s28 = -0.25*s25/(s11 * s11)
-        s33 = -0.5*s12_now*s25 - 0.5*s28*s9_now
-        s36 = -new_20_now*s28 - s12_now*s23
-        w_by[128 + lane] = px_now_by
-        w_by[160 + lane] = py_now_by
-        w_by[192 + lane] = s23
-        w_by[224 + lane] = s33
-        w_by[256 + lane] = s36
-        w_by[288 + lane] = -s36
-        w_by[320 + lane] = s33
+        s16 = -going_now*y0_now_by
+        s17 = -going_now*y1_now_by
+        s22 = -going_now*s6*y2_now_by
+        s24 = 2*new_20_now*s22
+        s27 = -0.25*s24/(s11 * s11)
+        s32 = -0.5*s12_now*s24 - 0.5*s27*s9_now
+        s35 = -new_20_now*s27 - s12_now*s22
+        w_by[128 + lane] = s16
+        w_by[160 + lane] = s17
+        w_by[192 + lane] = s22
+        w_by[224 + lane] = s32
+        w_by[256 + lane] = s35
+        w_by[288 + lane] = -s35
+        w_by[320 + lane] = s32
 
 
 @straight
@@ -1463,6 +1466,16 @@ def _give_by(w, w_by, d, d_by, s, s_by, k, k_by, gravity, shares, inertia, n):
 
 
 @straight
+def _step_by(moves, w_by, first, last, n):
+    """Move the platform by its twists, which a step takes off, the last one again for the rest of `n`."""
+    for lane in range(n):
+        m = min(first + lane, last)
+        w_by[2144 + lane] = -moves[3 * m + 0]
+        w_by[2176 + lane] = -moves[3 * m + 1]
+        w_by[2208 + lane] = -moves[3 * m + 2]
+
+
+@straight
 def _held(w, size):
     """Begin with nothing that changes."""
     for n in range(size):
@@ -1521,7 +1534,7 @@ def _torque_by(x, x_by, motion, tool, k, k_by, c, c_by, gravity, shares, inertia
             _give(d, s, inertia, n)
             for e in range(len(k_by)):
                 k_by_1, own_by_1 = k_by[e, 0], c_by[e, 0]
-                _place(moves[e * samples * 3 :], w_by, first, last, n)
+                _step_by(moves[e * samples * 3 :], w_by, first, last, n)
                 _move_platform_by(w, w_by, d, d_by, s, s_by, k_1, k_by_1, gravity, shares, inertia, n)
                 _early_by(
                     w_1, u_1, d_1, e_1, s, s_by, k_1, k_by_1,
@@ -1563,6 +1576,7 @@ def _torque_by(x, x_by, motion, tool, k, k_by, c, c_by, gravity, shares, inertia
 def torque_by(x, x_by, motion, tool, k, k_by, c, c_by, gravity, shares, inertia, tau):
     """Fill tau (E, N, 1) [N mm, N]: how `torque` of one machine changes along each of E errors, joints held.
 
-    x_by (E, N, 3) is how its platform moves along them, k_by and c_by are what `constants_by` makes of them.
+    x_by (E, N, 3) are its platform's twists along them, shift and turn about the axes of {O}; k_by and c_by are
+    what `constants_by` makes of them.
     """
     _torque_by(x, x_by, motion, tool, k, k_by, c, c_by, gravity, shares, inertia, tau)

@@ -1,7 +1,7 @@
 """Dynamics of `robotennis`, many samples at once: RoboTennis, three arms with rods as single links, incremental home.
 
 Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/dynamics.py.jinja; sha256 of both 33dcd32e607ea2fb; SymPy 1.14.0.
+Template templates/mechanism/dynamics.py.jinja; sha256 of both eb47a23b805f1847; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the sample first; mm, rad, s, kg, N:
 
@@ -929,20 +929,24 @@ def constants_by(p, p_by):
 
 @straight
 def _move_platform_by(w, w_by, d, d_by, s, s_by, k, k_by, gravity, shares, inertia, n):
-    """Rates of the platform after a step, and its rotation matrix (0 operations)."""
+    """Rates of the platform after a step, and its rotation matrix (6 operations)."""
     for lane in range(n):
-        px_now_by = w_by[128 + lane]
-        py_now_by = w_by[160 + lane]
-        pz_now_by = w_by[192 + lane]
-        w_by[128 + lane] = px_now_by
-        w_by[1344 + lane] = px_now_by
-        w_by[2560 + lane] = px_now_by
-        w_by[160 + lane] = py_now_by
-        w_by[1376 + lane] = py_now_by
-        w_by[2592 + lane] = py_now_by
-        w_by[192 + lane] = pz_now_by
-        w_by[1408 + lane] = pz_now_by
-        w_by[2624 + lane] = pz_now_by
+        going_now = w[3776 + lane]
+        y0_now_by = w_by[3648 + lane]
+        y1_now_by = w_by[3680 + lane]
+        y2_now_by = w_by[3712 + lane]
+        s6 = -going_now*y0_now_by
+        s7 = -going_now*y1_now_by
+        s8 = -going_now*y2_now_by
+        w_by[128 + lane] = s6
+        w_by[1344 + lane] = s6
+        w_by[2560 + lane] = s6
+        w_by[160 + lane] = s7
+        w_by[1376 + lane] = s7
+        w_by[2592 + lane] = s7
+        w_by[192 + lane] = s8
+        w_by[1408 + lane] = s8
+        w_by[2624 + lane] = s8
 
 
 @straight
@@ -1774,6 +1778,16 @@ def _give_by(w, w_by, d, d_by, s, s_by, k, k_by, gravity, shares, inertia, n):
 
 
 @straight
+def _step_by(moves, w_by, first, last, n):
+    """Move the platform by its twists, which a step takes off, the last one again for the rest of `n`."""
+    for lane in range(n):
+        m = min(first + lane, last)
+        w_by[3648 + lane] = -moves[3 * m + 0]
+        w_by[3680 + lane] = -moves[3 * m + 1]
+        w_by[3712 + lane] = -moves[3 * m + 2]
+
+
+@straight
 def _held(w, size):
     """Begin with nothing that changes."""
     for n in range(size):
@@ -1858,7 +1872,7 @@ def _torque_by(x, x_by, motion, tool, k, k_by, c, c_by, gravity, shares, inertia
                 k_by_1, own_by_1 = k_by[e, 0], c_by[e, 0]
                 k_by_2, own_by_2 = k_by[e, 1], c_by[e, 1]
                 k_by_3, own_by_3 = k_by[e, 2], c_by[e, 2]
-                _place(moves[e * samples * 3 :], w_by, first, last, n)
+                _step_by(moves[e * samples * 3 :], w_by, first, last, n)
                 _move_platform_by(w, w_by, d, d_by, s, s_by, k_1, k_by_1, gravity, shares, inertia, n)
                 _early_by(
                     w_1, u_1, d_1, e_1, s, s_by, k_1, k_by_1,
@@ -1956,6 +1970,7 @@ def _torque_by(x, x_by, motion, tool, k, k_by, c, c_by, gravity, shares, inertia
 def torque_by(x, x_by, motion, tool, k, k_by, c, c_by, gravity, shares, inertia, tau):
     """Fill tau (E, N, 3) [N mm, N]: how `torque` of one machine changes along each of E errors, joints held.
 
-    x_by (E, N, 3) is how its platform moves along them, k_by and c_by are what `constants_by` makes of them.
+    x_by (E, N, 3) are its platform's twists along them, shift and turn about the axes of {O}; k_by and c_by are
+    what `constants_by` makes of them.
     """
     _torque_by(x, x_by, motion, tool, k, k_by, c, c_by, gravity, shares, inertia, tau)

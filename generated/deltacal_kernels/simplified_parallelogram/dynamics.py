@@ -1,7 +1,7 @@
 """Dynamics of `simplified_parallelogram`, many samples at once: Planar parallelogram, simplified: one virtual rod.
 
 Generated from derive/mechanisms/simplified_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/dynamics.py.jinja; sha256 of both 208e5c83b7631eeb; SymPy 1.14.0.
+Template templates/mechanism/dynamics.py.jinja; sha256 of both 47273ad9804f4bb1; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the sample first; mm, rad, s, kg, N:
 
@@ -483,18 +483,19 @@ def constants_by(p, p_by):
 
 @straight
 def _move_platform_by(w, w_by, d, d_by, s, s_by, k, k_by, gravity, shares, inertia, n):
-    """Rates of the platform after a step, and its rotation matrix (5 operations)."""
+    """Rates of the platform after a step, and its rotation matrix (10 operations)."""
     for lane in range(n):
         cz_now = w[192 + lane]
-        y2_now = w[1312 + lane]
         going_now = w[1376 + lane]
-        px_now_by = w_by[128 + lane]
-        py_now_by = w_by[160 + lane]
-        cz_now_by = w_by[192 + lane]
-        s16 = -0.5*cz_now*cz_now_by*going_now*y2_now + cz_now_by
-        w_by[128 + lane] = px_now_by
-        w_by[160 + lane] = py_now_by
-        w_by[192 + lane] = s16
+        y0_now_by = w_by[1248 + lane]
+        y1_now_by = w_by[1280 + lane]
+        y2_now_by = w_by[1312 + lane]
+        s9 = -going_now*y0_now_by
+        s10 = -going_now*y1_now_by
+        s15 = -going_now*y2_now_by*(0.25*(cz_now * cz_now) + 1)
+        w_by[128 + lane] = s9
+        w_by[160 + lane] = s10
+        w_by[192 + lane] = s15
 
 
 @straight
@@ -924,6 +925,16 @@ def _give_by(w, w_by, d, d_by, s, s_by, k, k_by, gravity, shares, inertia, n):
 
 
 @straight
+def _step_by(moves, w_by, first, last, n):
+    """Move the platform by its twists, which a step takes off, the last one again for the rest of `n`."""
+    for lane in range(n):
+        m = min(first + lane, last)
+        w_by[1248 + lane] = -moves[3 * m + 0]
+        w_by[1280 + lane] = -moves[3 * m + 1]
+        w_by[1312 + lane] = -moves[3 * m + 2]
+
+
+@straight
 def _held(w, size):
     """Begin with nothing that changes."""
     for n in range(size):
@@ -982,7 +993,7 @@ def _torque_by(x, x_by, motion, tool, k, k_by, c, c_by, gravity, shares, inertia
             _give(d, s, inertia, n)
             for e in range(len(k_by)):
                 k_by_1, own_by_1 = k_by[e, 0], c_by[e, 0]
-                _place(moves[e * samples * 3 :], w_by, first, last, n)
+                _step_by(moves[e * samples * 3 :], w_by, first, last, n)
                 _move_platform_by(w, w_by, d, d_by, s, s_by, k_1, k_by_1, gravity, shares, inertia, n)
                 _early_by(
                     w_1, u_1, d_1, e_1, s, s_by, k_1, k_by_1,
@@ -1024,6 +1035,7 @@ def _torque_by(x, x_by, motion, tool, k, k_by, c, c_by, gravity, shares, inertia
 def torque_by(x, x_by, motion, tool, k, k_by, c, c_by, gravity, shares, inertia, tau):
     """Fill tau (E, N, 1) [N mm, N]: how `torque` of one machine changes along each of E errors, joints held.
 
-    x_by (E, N, 3) is how its platform moves along them, k_by and c_by are what `constants_by` makes of them.
+    x_by (E, N, 3) are its platform's twists along them, shift and turn about the axes of {O}; k_by and c_by are
+    what `constants_by` makes of them.
     """
     _torque_by(x, x_by, motion, tool, k, k_by, c, c_by, gravity, shares, inertia, tau)

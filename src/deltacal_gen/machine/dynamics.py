@@ -261,21 +261,17 @@ class LimbDynamics(Dynamics):
         x, _, tool, k, c, gravity, shares = self._given(motion)
         k_by, c_by = self._kernels.constants_by(self._rows, self._rows_by(names))
         tau = np.empty((len(names), *motion.shape[1:]))
-        x_by, masses = self._moved_by(x, motion[0], names), np.append(inertia, 0.0)
+        x_by, masses = self._moved_by(motion[0], names), np.append(inertia, 0.0)
         self._kernels.torque_by(x, x_by, motion, tool, k, k_by, c, c_by, gravity, shares, masses, tau)
         return np.moveaxis(tau, 0, 2)
 
-    def _moved_by(self, x: Array, q: Array, names: Sequence[str]) -> Array:
-        """Return how the platform's coordinates (n, N, n_x) change with source errors, joints held."""
-        machine, at = self._machine, [COORDINATES.index(name) for name in self._machine.platform]
-        pose, _ = machine.forward(q, self._tool, self._rows)
-        columns = [machine.index[name] for name in names]
-        found = np.moveaxis(machine.sensitivity(pose, q, self._tool, self._rows).parameters[:, :, columns], 2, 0).copy()
-        c = np.zeros((len(x), len(COORDINATES)))
-        c[:, at] = x
-        w, c = found[:, :, 3:], c[:, 3:]  # a turn about the axes of {O}, and the Cayley vector that it changes
-        found[:, :, 3:] = w + np.cross(w, c) / 2 + np.einsum("ni,nj,enj->eni", c, c, w) / 4
-        return np.ascontiguousarray(found[:, :, at])
+    def _moved_by(self, q: Array, names: Sequence[str]) -> Array:
+        """Return the twists of the platform (n, N, n_x) along source errors, joints held."""
+        machine = self._machine
+        at = [COORDINATES.index(name) for name in machine.platform]
+        x, _ = machine.forward(q, self._tool, self._rows)
+        found = machine.sensitivity(x, q, self._tool, self._rows).parameters
+        return np.ascontiguousarray(np.moveaxis(found[:, at][:, :, [machine.index[name] for name in names]], 2, 0))
 
     def payload(self, motion: Array, off: Array | None = None) -> Array:
         """Return the torques (N, n_q) that 1 kg at the reference point asks for.
