@@ -213,3 +213,14 @@ def of_numbers(kernel: Kernel, **forms: str) -> Lines:
 def results(kernel: Kernel) -> list[str]:
     """Return the texts of what a kernel stores, in order."""
     return [PRINTER.expression(store.expr) for store in kernel.stores]
+
+
+def functions_of(kernels: Sequence[Kernel]) -> list[str]:
+    """Return the functions of ``support/elementary.py`` that the kernels call, by name."""
+    called: set[str] = set()
+    for e in (e for kernel in kernels for e in kernel.expressions):
+        called |= {PRINTER.functions[n] for f in e.atoms(sp.Function) if (n := type(f).__name__) in PRINTER.functions}
+        called |= {name for kind, name in ((sp.Max, PRINTER.larger), (sp.Min, PRINTER.smaller)) if e.has(kind)}
+        if any(not (2 * power.exp).is_Integer for power in e.atoms(sp.Pow)):  # see `Lanes._print_Pow`
+            called |= {"exponential", "logarithm"}
+    return sorted(called)

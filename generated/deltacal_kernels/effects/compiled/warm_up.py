@@ -1,7 +1,7 @@
 """The joint's zero creeps while the machine warms up, row by row for Numba.
 
 Generated from derive/effects/warm_up.py by "deltacal kernels". Do not edit.
-Template templates/rows.py.jinja; sha256 of both 321f202ef51d9e7d; SymPy 1.14.0.
+Template templates/rows.py.jinja; sha256 of both 338712e329bc20c4; SymPy 1.14.0.
 
 Functions of the NumPy module of this name, to be called likewise but for defaults, on C-contiguous arrays. Each is a
 loop over rows; an array of one row counts for all of them.
@@ -12,8 +12,7 @@ import math
 import numpy as np
 
 from deltacal_kernels.cache import kernel
-from deltacal_kernels.elementary import arcsine, arctangent, cosine, exponential, hyperbolic_tangent, larger, logarithm
-from deltacal_kernels.elementary import sine, smaller, tangent
+from deltacal_kernels.elementary import exponential
 from deltacal_kernels.straight import straight
 
 # of the arrays that each takes

@@ -1,7 +1,7 @@
 """Distance between the reference points of two poses [mm], row by row for Numba.
 
 Generated from derive/measurements/distance.py by "deltacal kernels". Do not edit.
-Template templates/rows.py.jinja; sha256 of both acaa274d5a24c30f; SymPy 1.14.0.
+Template templates/rows.py.jinja; sha256 of both a9f35743f896ca9d; SymPy 1.14.0.
 
 Functions of the NumPy module of this name, to be called likewise but for defaults, on C-contiguous arrays. Each is a
 loop over rows; an array of one row counts for all of them.
@@ -12,8 +12,6 @@ import math
 import numpy as np
 
 from deltacal_kernels.cache import kernel
-from deltacal_kernels.elementary import arcsine, arctangent, cosine, exponential, hyperbolic_tangent, larger, logarithm
-from deltacal_kernels.elementary import sine, smaller, tangent
 from deltacal_kernels.straight import straight
 
 # of the arrays that each takes

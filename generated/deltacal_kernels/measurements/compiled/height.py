@@ -1,7 +1,7 @@
 """Height of the reference point above the bed [mm], row by row for Numba.
 
 Generated from derive/measurements/height.py by "deltacal kernels". Do not edit.
-Template templates/rows.py.jinja; sha256 of both 87d4a848645ebc5b; SymPy 1.14.0.
+Template templates/rows.py.jinja; sha256 of both 88f2b3590965dd4d; SymPy 1.14.0.
 
 Functions of the NumPy module of this name, to be called likewise but for defaults, on C-contiguous arrays. Each is a
 loop over rows; an array of one row counts for all of them.
@@ -12,8 +12,6 @@ import math
 import numpy as np
 
 from deltacal_kernels.cache import kernel
-from deltacal_kernels.elementary import arcsine, arctangent, cosine, exponential, hyperbolic_tangent, larger, logarithm
-from deltacal_kernels.elementary import sine, smaller, tangent
 from deltacal_kernels.straight import straight
 
 # of the arrays that each takes
