@@ -12,6 +12,8 @@ import pytest
 import deltacal_gen as dc
 from deltacal_gen.diagnosis import answer
 from deltacal_gen.diagnosis.findings import Named
+from deltacal_gen.diagnosis.search import Found
+from deltacal_gen.diagnosis.strategy import _first as next_of
 from deltacal_gen.diagnosis.strategy import borne_out as speak_for
 from deltacal_gen.errors import InputError
 from deltacal_gen.files.robot import Robot
@@ -24,6 +26,7 @@ from tests.left_out import DELTA, POSES, SIGMA, channels, diagnosis, effect, mac
 
 WIDTH = 0.02  # deg of backlash: 0.12 mm at the platform, twelve times the noise
 NUMBER = (int, float)
+MOVED = channels(70, "motion", seed=3)
 SCHEMA: dict[str, Any] = {  # contract, section 4
     "schema": str,
     "verdict": str,
@@ -320,3 +323,29 @@ def test_a_diagnosis_carries_to_another_session(robot: Robot, loose: dict[str, A
     assert carried["heldout_rms_mm"] < 0.5 * plain["heldout_rms_mm"]
     assert carried["chi2_per_dof"] == pytest.approx(1.0, abs=0.4)
     assert plain["chi2_per_dof"] > 5
+
+
+def test_a_long_latency_is_found_as_surely_as_a_short_one() -> None:
+    """Of 32 ms, where poses lie up to 2 deg of joint beside where they were thought."""
+    found = diagnosis(machine(), record(machine(), effect("latency", (), 0.032), n=70, seed=3, of=MOVED))
+    (one,) = found["effects"]
+    (delay,) = one["parameters"]
+    assert one["name"] == "latency"
+    assert abs(delay["value"] - 0.032) < 3 * delay["std"]
+
+
+def test_what_nothing_says_to_be_noise_only_looks_like_it() -> None:
+    said, sure = (diagnosis(machine(), record(machine(), seed=4, declared=declared)) for declared in (False, True))
+    assert said["verdict"] == sure["verdict"] == "adequate"
+    assert "looks like noise" in said["summary"]
+    assert "neither repeats nor a declared sigma_mm say how large noise is" in said["summary"]
+    assert "is noise" in sure["summary"]
+    assert "looks like" not in sure["summary"]
+
+
+def test_what_a_load_does_is_fitted_before_a_wave_that_earns_more() -> None:
+    wave = Found(effect("transmission_eccentricity", (2,), 0.01, 0.0, constants=(1.0,)), 90.0, 60.0)
+    load = Found(effect("joint_compliance", (2,), 1e-3), 60.0, 40.0)
+    assert next_of([wave, load]) is load
+    hardly = dataclasses.replace(load, score=1.0)
+    assert next_of([wave, hardly]) is wave
