@@ -356,6 +356,21 @@ def test_a_diagnosis_says_what_is_known_of_bodies_beside_the_friction(recorded: 
     assert np.sqrt(np.mean((rigid.common.made_up @ (built - inertia) / std) ** 2)) > 30  # of the rigid machine alone
 
 
+SINCE = (  # of diagnoses that older versions wrote nothing stands in these
+    *("rank", "rank_tolerance", "singular_values", "condition", "scaling"),
+    *("unidentifiable", "consistent", "consistent_off"),
+)
+
+
+def test_a_diagnosis_that_an_older_version_wrote_predicts_the_same(diagnosed: Any, recorded: Path) -> None:
+    older = {name: value for name, value in json.loads(json.dumps(diagnosed.to_dict())).items() if name not in SINCE}
+    for effect in older["effects"]:
+        effect.pop("common", None)
+    assert np.array_equal(*(dc.predict(known, recorded).readings for known in (older, diagnosed)), equal_nan=True)
+    was, now = (dc.validate(known, recorded) for known in (older, diagnosed.to_dict()))
+    assert was["rms_by_joint"] == now["rms_by_joint"]
+
+
 @pytest.mark.parametrize("name", list(REACH))
 def test_bodies_of_limbs_could_be_built(name: str) -> None:
     """Masses from 0 on, inertias no smaller than those masses' first moments let them be."""
