@@ -37,7 +37,7 @@ from deltacal_gen.instrument import kinds
 from deltacal_gen.instrument.kind import Kind
 from deltacal_gen.instrument.kinds import PAIRS, POINTS, kind_of
 from deltacal_gen.machine.machine import POSE
-from deltacal_gen.machine.rotation import from_vector
+from deltacal_gen.machine.rotation import from_turns, from_vector, to_vector
 from deltacal_gen.machine.values import POSITION, ROTATION, Recording
 from deltacal_gen.states import of_column
 from deltacal_gen.units import DEG, joint_factors, joint_names
@@ -255,7 +255,27 @@ def _recording(
         check_repeats(recording, rows)
     if need_measured and recording.measurement.zero == "incremental" and _has_home(mechanism):
         check_home(recording)
-    return recording
+    return _with_vectors(recording)
+
+
+def _with_vectors(recording: Recording) -> Recording:
+    """Return the recording with rotation vectors where its file has turns about x, y, z."""
+    order = recording.measurement.rotation
+    if order == "vector":
+        return recording
+    at = [recording.columns.index(name) for name in ROTATION if name in recording.columns]
+    if len(at) < len(ROTATION):
+        raise InputError(
+            f'rotation = "{order}" says in which order the turns rx_deg, ry_deg, rz_deg are made, which are not all '
+            "measured here.",
+            "Leave the key out, or add the columns.",
+            file=Path(recording.path).with_suffix(".toml"),
+        )
+    measured = recording.measured.copy()
+    read = np.isfinite(measured[:, at]).all(axis=1)
+    measured[np.ix_(read, at)] = to_vector(from_turns(order, measured[np.ix_(read, at)]))
+    measurement = dataclasses.replace(recording.measurement, rotation="vector")
+    return dataclasses.replace(recording, measured=measured, measurement=measurement)
 
 
 def _pairs_and_rows(path: Path, rows: Rows) -> tuple[Rows | None, Rows]:

@@ -86,6 +86,7 @@ class _Measurement(Table):
     board_scale: Literal["known", "unknown"] = "known"
     clock: Clocks | None = None
     clock_offset_s: Number | None = None
+    rotation: Literal["vector", "xyz", "xzy", "yxz", "yzx", "zxy", "zyx"] = "vector"
 
 
 class _Contacts(Table):

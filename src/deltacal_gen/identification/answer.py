@@ -13,7 +13,7 @@ from deltacal_gen.estimation.prior import BROAD
 from deltacal_gen.files.robot import kept_robot
 from deltacal_gen.identification import identifiability
 from deltacal_gen.identification.accuracy import distance_error, largest, volumetric_error
-from deltacal_gen.identification.checks import copied
+from deltacal_gen.identification.checks import copied, turned
 from deltacal_gen.identification.drawing import doubts
 from deltacal_gen.identification.identifiability import Combination
 from deltacal_gen.identification.noise import Noise, coordinate_sigma, freedom
@@ -187,7 +187,7 @@ def result_of(found: Identification) -> Result:
         uncertainty=found.uncertainty,
         unit=unit and unit[0],
         unit_mm=unit and unit[1],
-        doubts=(*doubts(final), *copied(recording)) or None,
+        doubts=(*doubts(final), *copied(recording), *turned(final)) or None,
     )
 
 
@@ -275,7 +275,7 @@ def _accuracy(found: Identification) -> Accuracy | None:
         note="largest errors relative to home; the distance error is the same in every frame, the volumetric error "
         "is taken after the rotation that fits the two sets best",
         before=at(problem.reference),
-        rough=at(found.rough.errors) if found.rough else None,
+        rough=at(found.rough.errors) if found.rough and len(found.rough.problem.names) < len(problem.names) else None,
         after=at(final.errors),
     )
 

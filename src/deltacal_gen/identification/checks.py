@@ -16,7 +16,8 @@ from deltacal_gen.estimation.residuals import lengths
 from deltacal_gen.files.robot import robot_size
 from deltacal_gen.instrument.kinds import kind_of, mounts
 from deltacal_gen.machine.registry import Array, Machine
-from deltacal_gen.machine.values import Recording, numbered
+from deltacal_gen.machine.rotation import from_turns
+from deltacal_gen.machine.values import ROTATION, Recording, numbered
 from deltacal_gen.physics.body import Body
 from deltacal_gen.units import DEG
 
@@ -30,6 +31,8 @@ NEARER = 0.5  # of the error: a mistake that brings less is not fitted
 MOST_FITTED = 4
 EXPLAINED = 0.1  # of the error: what a mistake may leave that explains it
 FEWEST_COPIES = 5  # rows: fewer may agree in every digit that was written
+FAR_TURNED = 2 * DEG  # rms of rotations beside a fit: no instrument reads so badly
+TURNED = 0.3  # of what they are off: what another meaning of their angles may leave that explains them
 ELSEWHERE = 45 * DEG  # of an encoder offset: it is nearer to a quarter of a turn than to a joint that was homed badly
 
 
@@ -154,6 +157,7 @@ def plausible(first: Fit) -> None:
         _of_these_joints(first, off)
         return
     _read_at_all(first, off)
+    _turns_alike(first)
     points = first.machine.x[found.used, :3]
     spread = float(np.linalg.norm(points.std(axis=0)))
     if off < IMPLAUSIBLE * max(robot_size(problem.robot), spread):
@@ -188,6 +192,61 @@ def _read_at_all(first: Fit, off: float) -> None:
             "differ by.",
             "Compare joints and images, row by row, and the camera in the sidecar.",
             file=problem.recording.path,
+        )
+
+
+def turned(at: Fit) -> tuple[str, ...]:
+    """Return that measured rotations are not the machine's, where a fit leaves so much of them: they told nothing."""
+    if at.problem.readings.rotations is None:
+        return ()
+    off = float(np.sqrt(np.nanmean(at.residual[:, 3:] ** 2)))
+    if off < FAR_TURNED:
+        return ()
+    return (
+        f"the measured rotations are {off / DEG:.2g} deg off this machine, which explains its positions: they told "
+        "next to nothing. rx_deg, ry_deg, rz_deg are a rotation vector of the platform about the instrument's axes; "
+        "what else they may be, the sidecar says (rotation under [measurement]).",
+    )
+
+
+def _apart(rotations: Array, drawn: Array, problem: Problem) -> float:
+    """Return by how much rotations (R, 3, 3) differ from others [rad], the median over pairs of poses of a set-up.
+
+    From pose to pose both turn by one angle, wherever the instrument stands and however its body is mounted.
+    """
+    setup, off = problem.readings.setup, []
+    for s in np.unique(setup):
+        own = np.flatnonzero((setup == s) & np.isfinite(rotations[:, 0, 0]))[:POSES_LOOKED_AT]
+        a, b = np.triu_indices(len(own), 1)
+        cosines = (np.clip((np.einsum("nij,nij->n", R[own[a]], R[own[b]]) - 1) / 2, -1, 1) for R in (rotations, drawn))
+        read, made = map(np.arccos, cosines)
+        off.append(np.abs(read - made))
+    return float(np.median(np.concatenate(off)))
+
+
+def _turns_alike(first: Fit) -> None:
+    """Raise an InputError where measured rotations agree with the machine as turns about axes, not as vectors.
+
+    The machine is the robot file's: one that was fitted to such rotations has bent to them.
+    """
+    problem, found = first.problem, first.problem.readings
+    if not turned(first) or found.rotations is None or not {3, 4, 5} <= {*found.components}:
+        return
+    drawn = problem.solve(problem.reference).x[found.rows[:, 0], 3:].reshape(-1, 3, 3)
+    off, recording, read = _apart(found.rotations, drawn, problem), problem.recording, np.isfinite(found.rotations)
+    angles = recording.measured[found.rows[:, 0]][:, [recording.columns.index(name) for name in ROTATION]]
+    tried = {order: np.full(found.rotations.shape, np.nan) for order in map("".join, itertools.permutations("xyz"))}
+    for order, rotations in tried.items():
+        rotations[read[:, 0, 0]] = from_turns(order, angles[read[:, 0, 0]])
+    left = {order: _apart(rotations, drawn, problem) for order, rotations in tried.items()}
+    best = min(left, key=lambda order: left[order])
+    if left[best] < TURNED * off:
+        raise InputError(
+            f"rx_deg, ry_deg, rz_deg are no rotation vectors: from pose to pose they turn by {off / DEG:.2g} deg more "
+            f"or less than the machine. As angles of turns about the instrument's axes, one after the other, it is "
+            f"{left[best] / DEG:.2g} deg.",
+            f'Say so under [measurement] in the sidecar: rotation = "{best}".',
+            file=recording.path,
         )
 
 

@@ -50,6 +50,17 @@ def from_vector(vector: Array) -> Array:
     return matrix
 
 
+def from_turns(order: str, angles: Array) -> Array:
+    """Return rotation matrices (N, 3, 3) of turns about fixed axes x, y, z by angles (N, 3) [rad], one after another.
+
+    `order` says which comes first, as in "xyz"; the angle about each axis stands in that axis' own column.
+    """
+    from scipy.spatial.transform import Rotation
+
+    matrix: Array = Rotation.from_euler(order, angles[:, ["xyz".index(axis) for axis in order]]).as_matrix()
+    return matrix
+
+
 def to_vector(matrix: Array) -> Array:
     """Return rotation vectors (..., 3) [rad] of rotation matrices (..., 3, 3)."""
     matrix = np.asarray(matrix)

@@ -262,7 +262,8 @@ class Measurement:
     mounted, and `platform_point_mm`, in {O'}. `board_scale` says whether a printed board is as large as it says,
     "known", or larger or smaller by a part that is "unknown". With ``zero = "incremental"`` readings count from the
     first row. `clock` says that the instrument has one of its own and what of it is alike in all runs,
-    `clock_offset_s` where it stands in runs of which no result knows it.
+    `clock_offset_s` where it stands in runs of which no result knows it. `rotation` says what a file's three angles
+    of a rotation are: a rotation vector, or turns about x, y, z in an order; a recording that was read has vectors.
     """
 
     kind: str | None = None
@@ -279,6 +280,7 @@ class Measurement:
     board_scale: str = "known"
     clock: str | None = None
     clock_offset_s: float | None = None
+    rotation: str = "vector"
 
     def with_noise(self, unit: str, sigma: float) -> Measurement:
         """Return the same with a standard deviation in a unit: mm, deg or px."""

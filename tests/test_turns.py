@@ -1,0 +1,88 @@
+"""Measured rotations whose angles mean something else than a rotation vector: told, and read as the sidecar says."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from test_serial import robot
+
+from deltacal_gen.app import commands
+from deltacal_gen.errors import InputError
+from deltacal_gen.files.robot import robot_to_toml
+from deltacal_gen.machine.rotation import from_turns, from_vector, to_vector
+
+POSE = '[measurement]\nkind = "pose"\n'
+
+
+@pytest.fixture(scope="module")
+def read(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with an arm and 60 poses of it, in an unknown frame, from a wrist that turns by some 60 deg."""
+    folder = tmp_path_factory.mktemp("poses")
+    (folder / "robot.toml").write_text(robot_to_toml(robot()))
+    q = np.random.default_rng(3).uniform(-30, 30, (60, 6)) + np.array([0, 40, -60, 10, 50, 20])
+    header = ",".join(f"q{i}_deg" for i in range(1, 7))
+    np.savetxt(folder / "poses.csv", q, delimiter=",", header=header, comments="")
+    (folder / "poses.toml").write_text(POSE + 'frame = "unknown"\n')
+    commands.simulate(folder / "robot.toml", folder / "poses.csv", folder / "vector.csv", noise=0.01, seed=2)
+    rows = (folder / "vector.csv").read_text().splitlines()
+    columns = rows[0].split(",")
+    at = [columns.index(f"r{axis}_deg") for axis in "xyz"]
+    cells = [row.split(",") for row in rows[1:]]
+    vectors = np.radians([[float(c[k]) for k in at] for c in cells])
+    for name, angles in (("turns", _angles(from_vector(vectors))), ("nonsense", -vectors[:, ::-1])):
+        for c, own in zip(cells, np.degrees(angles), strict=True):
+            for k, angle in zip(at, own, strict=True):
+                c[k] = repr(float(angle))
+        (folder / f"{name}.csv").write_text("\n".join([rows[0], *map(",".join, cells)]) + "\n")
+        (folder / f"{name}.toml").write_text(POSE)
+    return folder
+
+
+def _angles(R: np.ndarray) -> np.ndarray:
+    """Roll, pitch and yaw (N, 3) of Rz Ry Rx, by hand."""
+    roll, yaw = np.arctan2(R[:, 2, 1], R[:, 2, 2]), np.arctan2(R[:, 1, 0], R[:, 0, 0])
+    return np.column_stack([roll, -np.arcsin(R[:, 2, 0]), yaw])
+
+
+def test_the_order_of_turns_is_that_of_roll_pitch_and_yaw() -> None:
+    vectors = np.random.default_rng(1).uniform(-1, 1, (20, 3))
+    assert to_vector(from_turns("xyz", _angles(from_vector(vectors)))) == pytest.approx(vectors)
+
+
+def test_angles_that_are_turns_are_told_and_read(read: Path, tmp_path: Path) -> None:
+    """A recording of them is refused, and told what they are; said so, the result is that of rotation vectors."""
+    with pytest.raises(InputError, match=r'no rotation vectors: from pose to pose.* rotation = "xyz"'):
+        commands.identify(read / "robot.toml", read / "turns.csv")
+    (tmp_path / "turns.csv").write_text((read / "turns.csv").read_text())
+    (tmp_path / "turns.toml").write_text(POSE + 'rotation = "xyz"\n')
+    both = [
+        commands.identify(read / "robot.toml", path)["parameters"]
+        for path in (tmp_path / "turns.csv", read / "vector.csv")
+    ]
+    values = [[p["value"] for p in parameters] for parameters in both]
+    assert values[0] == pytest.approx(values[1], abs=1e-3)
+
+
+def test_rotations_that_tell_nothing_are_told(read: Path) -> None:
+    """Positions alone then know the machine: no answer passes over that rotations were read, and not used."""
+    found = commands.identify(read / "robot.toml", read / "nonsense.csv")
+    assert "told next to nothing" in json.dumps(found["doubts"])
+    assert "told next to nothing" in commands.diagnose(read / "robot.toml", read / "nonsense.csv")["summary"]
+    assert not commands.identify(read / "robot.toml", read / "vector.csv").get("doubts")
+
+
+def test_an_order_of_turns_wants_three(read: Path, tmp_path: Path) -> None:
+    (tmp_path / "r.csv").write_text(
+        "q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm\n" + "1,2,3,4,5,6,7,8,9\n"
+    )
+    (tmp_path / "r.toml").write_text('[measurement]\nrotation = "zyx"\n')
+    with pytest.raises(InputError, match="which are not all measured"):
+        commands.identify(read / "robot.toml", tmp_path / "r.csv")
+
+
+def test_a_machine_of_one_model_has_no_rough_stage_to_show(read: Path) -> None:
+    """A chain is fitted whole from the start: what is not an encoder offset is not called so."""
+    assert commands.identify(read / "robot.toml", read / "vector.csv")["accuracy"].get("rough") is None
