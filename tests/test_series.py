@@ -9,14 +9,14 @@ import pytest
 
 from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.diagnosis.refits import refitted
-from deltacal_gen.estimation.fit import fit
+from deltacal_gen.estimation.fit import fit, held_out
 from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.estimation.series import FADES, OWN, OWN_PRICE, Series, Taken
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.identification.answer import Identification
 from deltacal_gen.identification.folds import folds
 from deltacal_gen.identification.identification import identify
-from deltacal_gen.identification.together import deviance_of
+from deltacal_gen.identification.together import deviance_of, rows_alone
 from tests.benchmarks.honesty_nulls import ROBOT, SIGMA, drawn, null
 from tests.conftest import plausible
 from tests.left_out import DELTA, channels, effect, machine, record
@@ -77,7 +77,13 @@ def test_what_each_row_has_of_its_own_is_told_apart() -> None:
 
 @pytest.mark.parametrize("k", [0, pytest.param(3, marks=pytest.mark.thorough)])
 def test_an_instrument_that_wanders_does_not_drift(k: int) -> None:
-    found = diagnose(ROBOT, null("walk", k)).answer()
+    """Rows weighed alone predict better here: that machine is given, and what is told held out is of that one."""
+    whole = diagnose(ROBOT, null("walk", k))
+    given = whole.baseline
+    parts = folds(given.problem.readings, given.problem.recording, rows=given.repeats.rows)
+    assert whole.heldout[0] == pytest.approx(held_out(rows_alone(given), Prior(), parts), rel=1e-3)
+    assert whole.heldout[0] < 0.7 * held_out(given, Prior(), parts)
+    found = whole.answer()
     assert found.effects == ()
     assert found.noise.model is not None
     assert found.noise.model.rows > 10

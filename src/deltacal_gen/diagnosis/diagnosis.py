@@ -52,7 +52,7 @@ from deltacal_gen.diagnosis.strategy import (
 from deltacal_gen.diagnosis.structure import Structure, structures
 from deltacal_gen.diagnosis.wandering import following_walks
 from deltacal_gen.errors import NoSolutionError
-from deltacal_gen.estimation.fit import CONVERGED, SPARE_READINGS, fit, rough
+from deltacal_gen.estimation.fit import CONVERGED, SPARE_READINGS, fit, held_out_errors, rough
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.prior import with_prior
 from deltacal_gen.estimation.problem import Problem, pose_problem
@@ -65,7 +65,7 @@ from deltacal_gen.identification.drawing import ANOTHERS, as_read, doubts, strai
 from deltacal_gen.identification.folds import folds
 from deltacal_gen.identification.noise import lack_of_fit, merely_more, stated
 from deltacal_gen.identification.prior import learned
-from deltacal_gen.identification.together import as_predicts, deviance_of, together
+from deltacal_gen.identification.together import as_predicts, better_alone, deviance_of, together
 from deltacal_gen.machine.backend import by_recording
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Recording
@@ -121,6 +121,7 @@ def diagnose(
     del begun, white, calm  # columns of all forms, which take more memory than all readings
     progress(f"fit of all {len(problem.readings)} readings")
     baseline, current, spectrum = _of_all(problem, first, search.fit, spectrum)
+    baseline = as_predicts(baseline)
     search = _without_refuted(some, search, current)
     current = _as_is_known(problem, current, lawful)
     unexplained |= _left_beside(lawful, current)
@@ -321,15 +322,21 @@ def _less_sign(sought: Sought, found: Outcome) -> Sought:
 def _held_out(found: Outcome, search: Search, lawful: Sequence[Lawful]) -> tuple[float, float]:
     """Return the held-out error of geometry alone, and beside what was found [mm]; a spectrum has its own.
 
-    Both are of the same readings: where a law was found, of those that it was asked of.
+    Both are of the same readings: where a law was found, of those that it was asked of. And both are of the machine
+    that is given, of which rows are weighed alone where that predicts better.
     """
     kind = found.problem.readings.kind
     if lawful:
         return lawful[0].proof.without, lawful[0].proof.rms
-    before = rms(lengths(found.without, kind))
+    alone = better_alone(found.first)
+    without = found.without if alone is None else held_out_errors(alone, Prior(), found.parts)
+    before = rms(lengths(without, kind))
     if not search.effects or found.spectrum is not None:
         return before, before
-    beside = found.predicted if search.fit is found.tested else held_out_by(found.problem, search, found.parts)
+    alone = better_alone(search.fit)
+    tested = search.fit is found.tested and alone is None
+    given = search if alone is None else Search(alone, search.terms)
+    beside = found.predicted if tested else held_out_by(found.problem, given, found.parts)
     return before, rms(lengths(beside, kind))
 
 

@@ -46,18 +46,23 @@ def rows_alone(at: Fit, drop_gross: bool = False) -> Fit:
     )
 
 
-def as_predicts(at: Fit) -> Fit:
-    """Return a fit with the machine of rows weighed alone where that predicts held-out readings better.
+def better_alone(at: Fit) -> Fit | None:
+    """Return the fit with rows weighed alone where that predicts held-out readings better; None where it does not.
 
     What hangs together may be physics that was left out, which no weights of rows make good: readings decide. Those
-    that know less than a position are too few to, and mostly lie along a path. The noise is as it was.
+    that know less than a position are too few to, and mostly lie along a path.
     """
     if at.repeats.series is None:
-        return at
+        return None
     alone = rows_alone(at, drop_gross=True)
     parts = folds(at.problem.readings, at.problem.recording, rows=at.repeats.rows)
     decides = at.problem.readings.kind.positions
-    if decides and held_out(at, Prior(), parts) <= held_out(alone, Prior(), parts):
+    return None if decides and held_out(at, Prior(), parts) <= held_out(alone, Prior(), parts) else alone
+
+
+def as_predicts(at: Fit) -> Fit:
+    """Return a fit with the machine that predicts held-out readings better; see `better_alone`. The noise stays."""
+    if (alone := better_alone(at)) is None:
         return at
     return dataclasses.replace(
         at, errors=alone.errors, machine=alone.machine, instrument=alone.instrument, residual=alone.residual
