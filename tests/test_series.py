@@ -16,6 +16,7 @@ from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.identification.answer import Identification
 from deltacal_gen.identification.folds import folds
 from deltacal_gen.identification.identification import identify
+from deltacal_gen.identification.noise import coordinate_sigma
 from deltacal_gen.identification.together import deviance_of, rows_alone
 from tests.benchmarks.honesty_nulls import ROBOT, SIGMA, drawn, null
 from tests.conftest import plausible
@@ -83,6 +84,8 @@ def test_an_instrument_that_wanders_does_not_drift(k: int) -> None:
     parts = folds(given.problem.readings, given.problem.recording, rows=given.repeats.rows)
     assert whole.heldout[0] == pytest.approx(held_out(rows_alone(given), Prior(), parts), rel=1e-3)
     assert whole.heldout[0] < 0.7 * held_out(given, Prior(), parts)
+    assert coordinate_sigma(given) == pytest.approx(given.rms(), rel=0.3)  # not what it will be one day
+    assert coordinate_sigma(given) < 0.7 * given.sigma[0]
     found = whole.answer()
     assert found.effects == ()
     assert found.noise.model is not None
@@ -100,6 +103,18 @@ def test_a_drift_is_no_noise() -> None:
 def test_the_size_of_noise_is_that_of_a_reading_though_a_fit_took_what_fades() -> None:
     sizes = [diagnose(ROBOT, null("AR 0.9", k)).final.sigma[0] for k in (1, 7)]
     assert np.mean(sizes) == pytest.approx(SIGMA, rel=0.2)
+
+
+@pytest.mark.parametrize(("rho", "own"), [(0.0, 0.0), (0.9, 0.3), (0.9994, 0.0)])
+def test_what_rows_show_of_noise_is_their_scatter_about_the_mean(rho: float, own: float) -> None:
+    """Of a walk it is far less than its size, which no recording shows; by the covariance, of two set-ups with gaps."""
+    gap = np.array([np.inf, 1, 1, 3, 1, np.inf, 2, 1])
+    parts = [np.cumsum([0, *gap[1:5]]), np.cumsum([0, *gap[6:]])]
+    shown = 0.0
+    for at in parts:
+        C = (1 - own) * rho ** np.abs(at[:, None] - at) + own * np.eye(len(at))
+        shown += len(at) * (np.trace(C) - C.sum() / len(at)) / (len(at) - 1)
+    assert Series(np.arange(8), gap, rho, own).within == pytest.approx(shown / 8)
 
 
 def test_a_row_that_nobody_read_is_a_gap() -> None:

@@ -22,7 +22,7 @@ from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.files.robot import kept_robot
 from deltacal_gen.identification.knowledge import uncertainty_of
-from deltacal_gen.identification.noise import Noise, noise_model
+from deltacal_gen.identification.noise import Noise, coordinate_sigma, noise_model
 from deltacal_gen.identification.unknowns import unknowns_of
 from deltacal_gen.instrument.kind import Instrument
 from deltacal_gen.machine.places import at, place_of
@@ -106,7 +106,7 @@ def result_of(found: Diagnosed) -> Diagnosis:
     """Return what was found as the answer of the command: figures in mm, curves and wording among them."""
     baseline, final, sigma = found.baseline, found.final, found.noise.sigma
     before, after = (heldout if np.isfinite(heldout) else None for heldout in found.heldout)
-    of_baseline, of_final = ((float(at.sigma[0]) / sigma) ** 2 for at in (baseline, final))
+    of_baseline, of_final = ((coordinate_sigma(at) / sigma) ** 2 for at in (baseline, final))
     unit, unknowns = final.instrument.unit(final.problem.recording.columns), unknowns_of(final)
     clock: Literal["time_s", "row"] = "row" if final.problem.body.channels.get("time") is None else "time_s"
     return Diagnosis(

@@ -8,6 +8,7 @@ diagonals; its factor takes that off too. All of it costs a few passes over the 
 from __future__ import annotations
 
 import dataclasses
+import itertools
 from dataclasses import dataclass
 from functools import cache, cached_property
 from typing import NamedTuple
@@ -84,6 +85,21 @@ class Series:
     def rows_of_size(self) -> float:
         """So many rows tell as much of the size of noise as one whose noise is its own; all of a set-up at most."""
         return min(1 + 2 * (1 - self.own) ** 2 * self.rho**2 / (1 - self.rho**2), self._of_a_set_up)
+
+    @property
+    def within(self) -> float:
+        """Part of the variance that rows of a set-up show about their mean: what fades slowly is alike in all of them.
+
+        Of an instrument that walks the rest is its frame's, and as large as one cares to wait.
+        """
+        shown, starts = 0.0, np.flatnonzero(np.isinf(self.gap)).tolist()
+        for start, end in itertools.pairwise([*starts, len(self.gap)]):
+            n, before, alike = end - start, 0.0, 0.0
+            for told in self._told[start + 1 : end].tolist():
+                before = told * (1 + before)
+                alike += before
+            shown += n - 2 * (1 - self.own) * alike / max(n - 1, 1)
+        return shown / len(self.gap)
 
     @property
     def _of_a_set_up(self) -> float:

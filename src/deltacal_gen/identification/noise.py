@@ -25,8 +25,13 @@ LEAST_EXCESS = 1.15  # of chi2 per degree of freedom: a sidecar's sigma has a di
 
 
 def coordinate_sigma(found: Fit) -> float:
-    """Return the noise that a fit leaves per measured scalar [mm]; a distance made of positions holds that of two."""
-    return float(found.sigma[0]) / (np.sqrt(2.0) if found.problem.readings.made else 1.0)
+    """Return the noise that a fit leaves per measured scalar [mm]; a distance made of positions holds that of two.
+
+    Where it hangs together over more rows than a set-up has, it is what of it these rows show.
+    """
+    series = found.repeats.series
+    shown = 1.0 if series is None else float(np.sqrt(series.within))
+    return shown * float(found.sigma[0]) / (np.sqrt(2.0) if found.problem.readings.made else 1.0)
 
 
 @dataclass(frozen=True)
