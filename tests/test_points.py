@@ -43,6 +43,12 @@ def test_lists_of_every_form_give_one_recording(tmp_path: Path, form: str) -> No
     assert "P9" in found.warnings[1]
 
 
+def test_rotations_that_a_list_holds_are_not_passed_over(tmp_path: Path) -> None:
+    points = "point,X,Y,Z,Rx,Ry,Rz\nP1,1,2,3,10,20,30\nP2,2,3,4,11,21,31\nP9,5,3,4,12,22,32\n"
+    (warning,) = dc.import_points(*files(tmp_path, points)).warnings
+    assert warning.startswith("Rx, Ry, Rz are not read")
+
+
 def test_groups_are_set_ups_and_a_point_that_comes_again_is_a_repeat(tmp_path: Path) -> None:
     points = "A,P1,1,2,3\nA,P1,1.1,2,3\nB,P1,5,6,7\nB,P2,8,9,10\n"
     recording = dc.import_points(*files(tmp_path, points)).recordings["recording"]

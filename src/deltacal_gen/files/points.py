@@ -36,6 +36,7 @@ _GROUP, _POINT = (
     ("point", "pointname", "pointid", "target", "pose", "name", "id"),
 )
 _JOINT = re.compile(r"(?:q|j|a|e|axis|joint|theta)(\d+)")
+ROTATIONS = ("rx", "ry", "rz")
 FEW = 3  # names that a message lists
 
 
@@ -158,6 +159,12 @@ def import_points(
     seen = set(of_row.tolist())
     if idle := [row[where] for j, row in enumerate(table.cells) if j not in seen]:
         warnings.append(f"{len(idle)} joints have no point ({', '.join(idle[:FEW])}{' ...' * (len(idle) > FEW)})")
+    header = _table(Path(points)).header
+    if turns := [head.strip() for head in header if _plain(head)[0] in ROTATIONS]:
+        warnings.append(
+            f"{', '.join(turns)} are not read: a list is of positions. Rotations stand in a recording of kind pose, as "
+            "rx_deg, ry_deg, rz_deg; its sidecar says what their angles are"
+        )
     return write_import(Imported(machine, {"recording": recording}, tuple(warnings)), output)
 
 
