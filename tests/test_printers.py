@@ -465,6 +465,17 @@ def test_what_firmware_would_fit_stands_beside(
     assert "what firmware fits (linear_delta/6)" in " ".join(text.split())
 
 
+@pytest.mark.parametrize(("n", "model"), [(5, None), (6, "4"), (10, "3")])
+def test_fewer_heights_than_firmware_has_parameters_are_fitted_by_a_smaller_model(
+    n: int, model: str | None, printer: Robot, rng: np.random.Generator
+) -> None:
+    """What is asked for, or as much as they carry: no comparison with a larger model stands in the way."""
+    heights = simulate(printer, recording(printer, grid(100, 60)[:n]), {"endstop_1": 0.4}, noise_mm=0.01, rng=rng)
+    found = commands.identify(printer, heights, model)
+    assert found["model"] == f"linear_delta/{model or 4}"
+    assert "firmware" not in found
+
+
 def test_six_parameters_of_firmware_are_enough_where_the_rest_is_known_from_before(
     printer: Robot, rng: np.random.Generator
 ) -> None:

@@ -18,7 +18,7 @@ from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.files.imports import ANGLES, TOWERS
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.files.writing import write_files
-from deltacal_gen.machine.registry import SOLVED, Array, Machine, mechanism_of
+from deltacal_gen.machine.registry import SOLVED, Array, Machine, load_mechanism, mechanism_of
 from deltacal_gen.machine.rotation import about_z
 from deltacal_gen.results.result import Result
 from deltacal_gen.results.written import FirmwareLeft, FirmwareLines, FirmwareValue
@@ -41,6 +41,12 @@ ROUNDS, SETTLED = 30, 1e-9  # of the fit of the lines; ordinary sizes
 def knows(problem: Problem) -> bool:
     """Tell whether firmware has a model of what readings say: a printer's, which a second encoder says nothing of."""
     return problem.mechanism.name == MODEL.partition("/")[0] and not problem.readings.kind.sees_joints
+
+
+def exceeded_by(model: str) -> bool:
+    """Tell whether a printer's model has more than firmware fits to heights; for less there may be too few heights."""
+    models = load_mechanism(MODEL.partition("/")[0]).models
+    return len(models[model]) > len(models[FROM_HEIGHTS])
 
 
 def firmware_lines(

@@ -95,7 +95,7 @@ def identify(
     found = fitted.answer()
     if diagnosis is None and firmware.knows(fitted.fit.problem):
         known = firmware.FROM_HEIGHTS if given.pairs is None else firmware.MODEL
-        if found.model not in (firmware.FROM_HEIGHTS, firmware.MODEL):
+        if found.model != firmware.MODEL and firmware.exceeded_by(found.model):
             progress(f"what firmware would fit: {known}")
             beside = identification.identify(robot, given, known, solver=solver, robust=robust).answer()
             found = found.replace(firmware=_as_firmware(beside))
