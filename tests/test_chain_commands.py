@@ -108,6 +108,27 @@ def test_a_program_in_joints_is_corrected_as_it_stands(tmp_path: Path) -> None:
     assert counted == pytest.approx(q * signed.joint_sign, abs=1e-9)
 
 
+def test_a_tool_that_nobody_wrote_down_is_no_error_of_the_machine(tmp_path: Path) -> None:
+    """It is found; neither what calibration gains nor the commands of a program count where it sits."""
+    untold = dataclasses.replace(robot(joints=LIMITS), tool=np.zeros(3))
+    small = {name: 0.2 * value for name, value in flawed().errors.items()}
+    truth = dataclasses.replace(untold, errors=small | {"tx": 10.0, "ty": -5.0, "tz": 160.0})
+    q, file = stands(60), tmp_path / "poses.csv"
+    names = ",".join(f"q{i}_deg" for i in range(1, 7))
+    np.savetxt(file, q / DEG, delimiter=",", comments="", header=names)
+    read = simulate(
+        truth,
+        read_recording(file, mechanism_of(untold), need_measured=False),
+        noise_mm=0.01,
+        rng=np.random.default_rng(1),
+    )
+    found = commands.identify(untold, read, output=tmp_path / "result.json")
+    assert 0.1 < found["before_rms_mm"] < 2.0
+    assert found["accuracy"]["before"]["distance_mm"] < 10.0
+    joints = commands.compensate(found, file)
+    assert 0 < np.abs(joints - q / DEG).max() < 3.0
+
+
 def test_near_its_singularity_the_wrist_stays_and_what_it_leaves_is_told(tmp_path: Path) -> None:
     r, told = flawed(), []
     q = stands(3)

@@ -121,7 +121,6 @@ def diagnose(
     del begun, white, calm  # columns of all forms, which take more memory than all readings
     progress(f"fit of all {len(problem.readings)} readings")
     baseline, current, spectrum = _of_all(problem, first, search.fit, spectrum)
-    baseline = as_predicts(baseline)
     search = _without_refuted(some, search, current)
     current = _as_is_known(problem, current, lawful)
     unexplained |= _left_beside(lawful, current)
@@ -137,7 +136,7 @@ def diagnose(
     return Diagnosed(
         verdict=Verdict.UNEXPLAINED if unexplained else _verdict(current),
         model=model,
-        baseline=baseline,
+        baseline=as_predicts(baseline),
         final=current,
         effects=named,
         heldout=heldout,

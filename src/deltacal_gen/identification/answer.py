@@ -14,7 +14,7 @@ from deltacal_gen.files.robot import kept_robot
 from deltacal_gen.identification import identifiability
 from deltacal_gen.identification.accuracy import distance_error, largest, volumetric_error
 from deltacal_gen.identification.checks import copied, turned
-from deltacal_gen.identification.drawing import doubts
+from deltacal_gen.identification.drawing import doubts, in_file
 from deltacal_gen.identification.identifiability import Combination
 from deltacal_gen.identification.noise import Noise, coordinate_sigma, freedom
 from deltacal_gen.identification.prior import share_of_data
@@ -55,7 +55,7 @@ class Identification:
     rough : Fit or None
         Of the encoder offsets alone.
     before_rms : float
-        RMS of the residuals of the robot file's machine, the instrument fitted [mm].
+        RMS of the residuals of the robot file's machine, the instrument and what the file does not say fitted [mm].
     heldout_rms : float
         RMS of readings in folds that took no part in the fit [mm].
     observability : Observability
@@ -274,7 +274,7 @@ def _accuracy(found: Identification) -> Accuracy | None:
         home_line=int(problem.readings.line[chosen[home]]),
         note="largest errors relative to home; the distance error is the same in every frame, the volumetric error "
         "is taken after the rotation that fits the two sets best",
-        before=at(problem.reference),
+        before=at(in_file(final)),
         rough=at(found.rough.errors) if found.rough and len(found.rough.problem.names) < len(problem.names) else None,
         after=at(final.errors),
     )

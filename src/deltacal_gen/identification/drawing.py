@@ -53,6 +53,14 @@ def as_read(at: Fit, *, robust: bool = True) -> Fit | None:
     return None
 
 
+def in_file(at: Fit) -> Array:
+    """Return the source errors of the robot file's machine; of what the file does not say, as a fit has it."""
+    errors, mechanism = at.problem.reference.copy(), at.problem.mechanism
+    own = [mechanism.index[name] for name in at.problem.robot.unsaid]
+    errors[own] = at.errors[own]
+    return errors
+
+
 def doubts(at: Fit) -> tuple[str, ...]:
     """Return why a fitted machine may be another one than the robot file's: it is farther off than drawings leave open.
 

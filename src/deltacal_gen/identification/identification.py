@@ -21,10 +21,9 @@ from deltacal_gen.estimation.residuals import lengths, rms
 from deltacal_gen.estimation.solvers import TSVD, LeastSquares, Prior, Ridge, Solver
 from deltacal_gen.files.checks import check_units
 from deltacal_gen.files.robot import Robot, for_model
-from deltacal_gen.identification import carried, identifiability
+from deltacal_gen.identification import carried, drawing, identifiability
 from deltacal_gen.identification.answer import Identification
 from deltacal_gen.identification.checks import check_rows, chosen_model, distinct, plausible
-from deltacal_gen.identification.drawing import as_read
 from deltacal_gen.identification.folds import FOLDS, folds
 from deltacal_gen.identification.identifiability import Combination
 from deltacal_gen.identification.knowledge import uncertainty_of
@@ -100,7 +99,6 @@ def identify(
     problem = known if isinstance(rule, Prior) else own
 
     progress("rough stage: encoder offsets")
-    before = _residual_of(problem, problem.reference)
     distinct(everything, recording)
     first, problem, dropped = _begun(everything, problem, robust, progress)
     plausible(first)
@@ -108,6 +106,7 @@ def identify(
     progress(f"fine stage: {len(names)} parameters of {chosen}")
     final = _fine(problem, rule, first, robust)
     problem = final.problem
+    before = _residual_of(problem, drawing.in_file(final))
     progress(f"held-out error: {FOLDS} folds")
     final, heldout = _held_out(final, rule, robust)
     progress("identifiability")
@@ -202,7 +201,7 @@ def _begun(
 def _fine(problem: Problem, rule: Solver, first: Fit, robust: bool) -> Fit:
     """Return the fit of a model, of a machine far from the drawn one where that is the one that was read."""
     at = fit(problem, rule, errors=first.errors, machine=first.machine, instrument=first.instrument, robust=robust)
-    return (as_read(at, robust=robust) or at) if isinstance(rule, Prior) else at
+    return (drawing.as_read(at, robust=robust) or at) if isinstance(rule, Prior) else at
 
 
 def _remedies(final: Fit, absorbed: int | None) -> tuple[Remedy, ...]:

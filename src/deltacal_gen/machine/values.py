@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     import pandas as pd
 
 POSITION = ("x_mm", "y_mm", "z_mm")
+TOOL_ERRORS = ("tx", "ty", "tz")  # of a chain; platforms have theirs known
 ROTATION = ("rx_deg", "ry_deg", "rz_deg")
 UNKNOWN = math.nan  # what is to be found
 
@@ -222,6 +223,14 @@ class Robot:
     def drawn(self) -> bool:
         """Whether the file says how the machine is built; readings of joints need not know."""
         return all(np.isfinite(values).all() for values in self.geometry.values())
+
+    @property
+    def unsaid(self) -> tuple[str, ...]:
+        """The source errors of which the file leaves open more than parts are off: the tool point of a chain.
+
+        No reflector sits in the origin of a flange: a tool point of zeros is one that nobody has written down.
+        """
+        return TOOL_ERRORS if self.links and not self.tool.any() else ()
 
     @property
     def geometric_limits(self) -> np.ndarray | None:

@@ -149,8 +149,9 @@ class Compensator:
 
     @cached_property
     def nominal(self) -> Robot:
-        """The machine that an uncompensated controller believes in."""
-        return replace(self.robot, errors={})
+        """The machine an uncompensated controller believes in; a tool point that no file says is where it was found."""
+        known = {name: self.robot.errors[name] for name in self.robot.unsaid if name in self.robot.errors}
+        return replace(self.robot, errors=known)
 
     @cached_property
     def model(self) -> str:
