@@ -253,6 +253,9 @@ MISTAKES = {
     "the zero of joint 3 is off by 90 deg": lambda r: r.joints - np.radians([0, 0, 90, 0, 0, 0]),
     "the zeros of all joints are off by 90 deg": lambda r: r.joints - np.radians(90),
     "the joints are in radians": lambda r: np.radians(r.joints),
+    "joint 3 counts from a line that stays as joint 2 turns .page arm: coupling = {2 = -1.0}": lambda r: (
+        r.joints + r.joints[:, [1]] * [0, 0, 1, 0, 0, 0]
+    ),
 }
 
 
@@ -262,6 +265,17 @@ def test_a_mistake_in_the_joints_is_named(arm: Robot, words: str) -> None:
     wrong = dataclasses.replace(good, joints=MISTAKES[words](good))
     with pytest.raises(InputError, match="agree with it if .*" + words):
         plausible(rough(pose_problem(arm, wrong, ()), must_converge=False))
+
+
+def test_readings_of_the_next_row_are_named_and_a_coupled_joint_though_the_tool_is_not_said(arm: Robot) -> None:
+    good = recorded(arm, wide(np.random.default_rng(2), 120, 1.2), size=0.3)
+    wrong = dataclasses.replace(good, measured=np.roll(good.measured, 1, axis=0))
+    with pytest.raises(InputError, match=r"agree with it if .*shifted against the joints by one row"):
+        plausible(rough(pose_problem(arm, wrong, ()), must_converge=False))
+    wrong = dataclasses.replace(good, joints=good.joints - good.joints[:, [1]] * [0, 0, 1, 0, 0, 0])
+    untold = dataclasses.replace(arm, tool=np.zeros(3))
+    with pytest.raises(InputError, match=r"agree with it if .*joint 3 counts .* coupling = \{2 = 1\.0\}"):
+        plausible(rough(pose_problem(untold, wrong, ()), must_converge=False))
 
 
 def test_a_left_handed_frame_and_inches_are_named(arm: Robot) -> None:

@@ -15,6 +15,7 @@ from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.residuals import lengths
 from deltacal_gen.files.robot import robot_size
 from deltacal_gen.instrument.kinds import kind_of, mounts
+from deltacal_gen.machine.places import MOVING
 from deltacal_gen.machine.registry import Array, Machine
 from deltacal_gen.machine.rotation import from_turns
 from deltacal_gen.machine.values import ROTATION, Recording, numbered
@@ -315,8 +316,10 @@ def _explained(problem: Problem, off: float) -> list[str]:
     cost less than a fit.
     """
     few = problem.some(POSES_LOOKED_AT, np.random.default_rng(SEED))
-    tried = [(_aligned_error(changed), words, changed) for words, changed in _mistakes(few)]
-    near = sorted((t for t in tried if t[0] < NEARER * _aligned_error(few)), key=lambda t: t[0])[:MOST_FITTED]
+    mistakes = itertools.chain(_mistakes(few), _shifted(problem))
+    tried = [(_aligned_error(changed), words, changed) for words, changed in mistakes]
+    most = (1.0 if problem.robot.unsaid else NEARER) * _aligned_error(few)  # a tool that is not said is off as well
+    near = sorted((t for t in tried if t[0] < most), key=lambda t: t[0])[:MOST_FITTED]
     out = []
     for _, words, changed in near:
         try:
@@ -374,6 +377,10 @@ def _mistakes(problem: Problem) -> Iterator[tuple[str, Problem]]:
         for turn in (90, -90, 180) if problem.mechanism.joint_units[i] == "rad" else ():
             step = np.where(np.arange(len(joints)) == i, turn * DEG, 0.0)
             yield f"the zero of joint {i + 1} is off by {turn} deg", with_joints(body.q + step)
+    for i, j, coupling in _coupled(problem):
+        words = f"joint {j + 1} counts from a line that stays as joint {i + 1} turns (page arm: {coupling})"
+        sign = -1 if "-" in coupling else 1
+        yield words, with_joints(body.q + np.where(np.arange(len(joints)) == j, sign * body.q[:, [i]], 0.0))
     if set(problem.mechanism.joint_units) == {"rad"}:
         yield "the joints are in radians", with_joints(body.q / DEG)
         for turn in (90, -90):
@@ -394,11 +401,32 @@ def _mistakes(problem: Problem) -> Iterator[tuple[str, Problem]]:
         for i in read:
             scale = np.where(np.arange(3) == i, factor, 1.0)
             yield f"{axes[i]}_mm is in {unit}", with_values(found.values * scale)
+
+
+def _shifted(problem: Problem) -> Iterator[tuple[str, Problem]]:
+    """Return readings against the joints of the row before and behind, few of all of them: poses have neighbours."""
     for shift in (1, -1):
+        values = np.roll(problem.readings.values, shift, axis=0)
+        rolled = dataclasses.replace(problem, readings=dataclasses.replace(problem.readings, values=values))
         yield (
             "the readings are shifted against the joints by one row",
-            with_values(np.roll(found.values, shift, axis=0)),
+            rolled.some(POSES_LOOKED_AT, np.random.default_rng(SEED)),
         )
+
+
+def _coupled(problem: Problem) -> Iterator[tuple[int, int, str]]:
+    """Return which joints may be read together, and how a chain's file says so: a rod holds the line of the second.
+
+    Those are neighbours whose axes are parallel, shoulder and elbow: a controller may count the elbow from the
+    horizontal, as a parallelogram does.
+    """
+    links = problem.robot.links
+    tables = [n for n, link in enumerate(links) if link.kind in MOVING]
+    for i, (own, other) in enumerate(itertools.pairwise(tables)):
+        line = links[own if links[other].convention == "standard" else other]
+        if other == own + 1 and links[own].kind == links[other].kind == "revolute" and abs(np.sin(line.alpha)) < 0.1:
+            yield i, i + 1, f"coupling = {{{own + 1} = 1.0}}"
+            yield i, i + 1, f"coupling = {{{own + 1} = -1.0}}"
 
 
 def check_rows(first: Fit, recording: Recording) -> None:
