@@ -10,6 +10,7 @@ import pytest
 
 from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.errors import InputError
+from deltacal_gen.estimation import fit as fitting
 from deltacal_gen.estimation.fit import PATIENCE, _Rows, fit, rough
 from deltacal_gen.estimation.prior import BROAD, UNSAID
 from deltacal_gen.estimation.problem import Problem, pose_problem
@@ -276,6 +277,19 @@ def test_readings_of_the_next_row_are_named_and_a_coupled_joint_though_the_tool_
     untold = dataclasses.replace(arm, tool=np.zeros(3))
     with pytest.raises(InputError, match=r"agree with it if .*joint 3 counts .* coupling = \{2 = 1\.0\}"):
         plausible(rough(pose_problem(untold, wrong, ()), must_converge=False))
+
+
+def test_rows_that_are_off_together_are_no_single_cells(arm: Robot) -> None:
+    problem = pose_problem(arm, recorded(arm, wide(np.random.default_rng(2), 30, 1.0)), ())
+    off = np.full((30, 3), 0.1)
+    off[4] = 100.0
+    with pytest.raises(InputError, match=r"line 6: .* of this row, or remove it"):
+        fitting._blame(problem, off)
+    off[10:14] = 90.0
+    with pytest.raises(
+        InputError, match=r"5 readings are so far off: lines 6, 12, 13, 14, 15\. .* where a joint moves"
+    ):
+        fitting._blame(problem, off)
 
 
 def test_a_left_handed_frame_and_inches_are_named(arm: Robot) -> None:

@@ -39,6 +39,7 @@ CONVERGED = 1e-4  # of chi2: what a last step could still gain; parameters then 
 # a direction that the data hardly see converges slowly where the model bends within its noise: no step of it matters
 PATIENCE, SETTLED, UNSETTLED = 30, 5e-2, 1.0
 ESTIMATED_AT = 3  # iteration in which at the latest the weight of repeats is estimated: the fit is then close
+FEW = 12  # lines that a message lists
 SPOILT = 30.0  # times the median residual: a reading so far off is named when a fit does not converge
 SPARE_READINGS = 3  # scalars beyond the unknowns, without which no noise can be told from errors
 
@@ -341,9 +342,17 @@ def _blame(problem: Problem, residual: Array) -> None:
     size = np.linalg.norm(np.nan_to_num(lengths(residual, problem.readings.kind)), axis=1)
     worst, usual = int(np.argmax(size)), float(np.median(size))
     if size[worst] > SPOILT * usual:
+        lines = [str(line) for line in problem.readings.line[size > SPOILT * usual]]
+        remedy = "Check the joints and the measured cells of this row, or remove it."
+        if len(lines) > 1:
+            remedy = (
+                f"{len(lines)} readings are so far off: lines {', '.join(lines[:FEW])}{' ...' * (len(lines) > FEW)}. "
+                "Check their joints and measured cells; where a joint moves in these rows alone, compare it with the "
+                "robot file."
+            )
         raise InputError(
             f"the reading is {size[worst]:.4g} mm off the machine at these joints, most others {usual:.3g} mm.",
-            "Check the joints and the measured cells of this row, or remove it.",
+            remedy,
             file=problem.recording.path,
             line=int(problem.readings.line[worst]),
         )
