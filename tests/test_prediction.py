@@ -21,7 +21,7 @@ from deltacal_gen.physics.terms import Term, blank, kept_term, load_effect
 from deltacal_gen.results.parts import MachineState
 from deltacal_gen.results.reader import read_result
 from deltacal_gen.results.result import Result
-from deltacal_gen.use.prediction import calibrated_robot, place_of, predict, residual
+from deltacal_gen.use.prediction import calibrated_robot, place_of, predict, residual, taken_afterwards
 from deltacal_gen.use.validation import validate
 
 FRAME = (np.array([0.1, -0.2, 0.9]), np.array([900.0, -500.0, 1200.0]))
@@ -241,3 +241,9 @@ def test_a_jump_that_was_found_by_its_row_is_past(
     before = predict(with_effects(results["position"], jump), fresh).measured
     assert before == pytest.approx(fresh.measured, abs=1e-6)
     assert np.abs(after - before).max() > 0.3
+    by_row, by_time = with_effects(results["position"], jump, kind=ByRow), with_effects(results["position"], jump)
+    untimed = dataclasses.replace(fresh, channels={})
+    assert "after the zero_jump that was found: the recording that was" in str(taken_afterwards(by_row, fresh))
+    assert "after the zero_jump that was found: the readings had no time_s" in str(taken_afterwards(by_time, untimed))
+    assert taken_afterwards(by_time, fresh) is None
+    assert taken_afterwards(results["position"], untimed) is None

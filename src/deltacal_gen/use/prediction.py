@@ -75,6 +75,19 @@ def known_effects(result: Known, *, timed: bool) -> list[Term]:
     return held
 
 
+def taken_afterwards(result: Known, recording: Recording) -> str | None:
+    """Return in words which events readings are taken to come after, as nobody knows when they were; None for none."""
+    held = (term_of(t) for t in result.physics or ())
+    events = [t.effect for t in held if t.afterwards().constants != t.constants]
+    if not events or (result.clock != "row" and recording.time_s is not None):
+        return None
+    lacking = "the readings" if result.clock != "row" else "the recording that was diagnosed"
+    return (
+        f"taken as after the {', '.join(dict.fromkeys(events))} that was found: {lacking} had no time_s, by which "
+        "readings before it would be told from those behind"
+    )
+
+
 def predict(result: Known, recording: Recording, place: Place | None = None) -> Recording:
     """Return the recording with its measured cells as the identified model predicts them.
 

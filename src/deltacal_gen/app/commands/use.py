@@ -278,8 +278,9 @@ def predict(
     for joint in spectrum.never_seen(known.seen, robot.joint_sign * given.joints):
         tell(spectrum.words(joint))
     done = prediction.predict(known, given, placed)
-    if (beyond := in_words(prediction.beyond_laws(known, given), "rows")) is not None:
-        tell(beyond)
+    for words in (prediction.taken_afterwards(known, given), in_words(prediction.beyond_laws(known, given), "rows")):
+        if words is not None:
+            tell(words)
     ends: dict[str, Array] = {}
     if bands:
         from deltacal_gen.use.bands import known_of, predicted_bands
