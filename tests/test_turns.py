@@ -11,8 +11,11 @@ from test_serial import robot
 
 from deltacal_gen.app import commands
 from deltacal_gen.errors import InputError
+from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import robot_to_toml
+from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.rotation import from_turns, from_vector, to_vector
+from deltacal_gen.machine.values import POSITION, ROTATION
 
 POSE = '[measurement]\nkind = "pose"\n'
 
@@ -72,6 +75,18 @@ def test_rotations_that_tell_nothing_are_told(read: Path) -> None:
     assert "told next to nothing" in json.dumps(found["doubts"])
     assert "told next to nothing" in commands.diagnose(read / "robot.toml", read / "nonsense.csv")["summary"]
     assert not commands.identify(read / "robot.toml", read / "vector.csv").get("doubts")
+
+
+def test_targets_may_be_turns_too(read: Path, tmp_path: Path) -> None:
+    rows = (read / "turns.csv").read_text().splitlines()
+    keep = [k for k, name in enumerate(rows[0].split(",")) if name in (*POSITION, *ROTATION)]
+    (tmp_path / "t.csv").write_text("\n".join(",".join(row.split(",")[k] for k in keep) for row in rows))
+    (tmp_path / "t.toml").write_text('[measurement]\nrotation = "xyz"\n')
+    arm = mechanism_of(robot())
+    asked = read_recording(tmp_path / "t.csv", arm, need_measured=False, allow_targets=True).targets
+    vectors = read_recording(read / "vector.csv", arm).measured[:, 3:]
+    assert asked is not None
+    assert asked[:, 3:].reshape(-1, 3, 3) == pytest.approx(from_vector(vectors), abs=1e-6)
 
 
 def test_an_order_of_turns_wants_three(read: Path, tmp_path: Path) -> None:

@@ -217,7 +217,7 @@ def _recording(
     axes = tuple(f"{axis}_mm" for axis in mechanism.axes)
     has_joints = any(_JOINT_LIKE.match(name) for name in rows.columns)
     if allow_targets and not has_joints and set(axes) & set(rows.columns):
-        targets, rows = targets_of(rows, mechanism)
+        targets, rows = targets_of(rows, mechanism, measurement.rotation)
         joints = np.full((len(targets), mechanism.limbs), np.nan)
     else:
         joints = _joints(rows, mechanism)
@@ -260,9 +260,9 @@ def _recording(
 
 def _with_vectors(recording: Recording) -> Recording:
     """Return the recording with rotation vectors where its file has turns about x, y, z."""
-    order = recording.measurement.rotation
-    if order == "vector":
-        return recording
+    order, measurement = recording.measurement.rotation, dataclasses.replace(recording.measurement, rotation="vector")
+    if order == "vector" or recording.targets is not None:
+        return dataclasses.replace(recording, measurement=measurement)
     at = [recording.columns.index(name) for name in ROTATION if name in recording.columns]
     if len(at) < len(ROTATION):
         raise InputError(
@@ -274,7 +274,6 @@ def _with_vectors(recording: Recording) -> Recording:
     measured = recording.measured.copy()
     read = np.isfinite(measured[:, at]).all(axis=1)
     measured[np.ix_(read, at)] = to_vector(from_turns(order, measured[np.ix_(read, at)]))
-    measurement = dataclasses.replace(recording.measurement, rotation="vector")
     return dataclasses.replace(recording, measured=measured, measurement=measurement)
 
 
@@ -309,8 +308,10 @@ def _turns(mechanism: Machine) -> tuple[str, ...]:
     return ROTATION if len(mechanism.axes) == 3 else tuple(f"r{axis}_deg" for axis in mechanism.turns)
 
 
-def targets_of(rows: Rows, mechanism: Machine) -> tuple[np.ndarray, Rows]:
+def targets_of(rows: Rows, mechanism: Machine, rotation: str = "vector") -> tuple[np.ndarray, Rows]:
     """Return targets (N, 3), or poses (N, 12) of a machine that turns on command, and the rows without their columns.
+
+    `rotation` says what the angles are; see `machine.values.Measurement`.
 
     Raises
     ------
@@ -322,9 +323,10 @@ def targets_of(rows: Rows, mechanism: Machine) -> tuple[np.ndarray, Rows]:
     given = [axis for axis in axes if f"p{axis[0]}" in mechanism.asks or axis in rows.columns]
     targets[:, [POSITION.index(axis) for axis in given]] = rows.numbers(*given, blank=False)
     if POSE in mechanism.widths and set(turns) & set(rows.columns):
-        vectors = np.zeros((len(targets), 3))
-        vectors[:, [ROTATION.index(turn) for turn in turns]] = rows.numbers(*turns, blank=False) * DEG
-        return np.hstack([targets, from_vector(vectors).reshape(-1, 9)]), rows.without((*axes, *turns))
+        angles = np.zeros((len(targets), 3))
+        angles[:, [ROTATION.index(turn) for turn in turns]] = rows.numbers(*turns, blank=False) * DEG
+        turned = from_vector(angles) if rotation == "vector" else from_turns(rotation, angles)
+        return np.hstack([targets, turned.reshape(-1, 9)]), rows.without((*axes, *turns))
     if 3 not in mechanism.widths:
         raise rows.error(
             f"a position alone does not say how {mechanism.sort} shall stand.",
