@@ -198,9 +198,9 @@ def _read_at_all(first: Fit, off: float) -> None:
 
 def turned(at: Fit) -> tuple[str, ...]:
     """Return that measured rotations are not the machine's, where a fit leaves so much of them: they told nothing."""
-    if at.problem.readings.rotations is None:
-        return ()
-    off = float(np.sqrt(np.nanmean(at.residual[:, 3:] ** 2)))
+    left = at.residual[:, 3:] if at.problem.readings.rotations is not None else np.empty(0)
+    left = left[np.isfinite(left)]
+    off = float(np.sqrt(np.mean(left**2))) if len(left) else 0.0
     if off < FAR_TURNED:
         return ()
     return (
