@@ -15,9 +15,9 @@ from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.residuals import lengths
 from deltacal_gen.files.robot import robot_size
 from deltacal_gen.instrument.kinds import kind_of, mounts
-from deltacal_gen.machine.places import MOVING
+from deltacal_gen.machine.places import read_together
 from deltacal_gen.machine.registry import Array, Machine
-from deltacal_gen.machine.rotation import from_turns
+from deltacal_gen.machine.rotation import from_turns, to_vector
 from deltacal_gen.machine.values import ROTATION, Recording, numbered
 from deltacal_gen.physics.body import Body
 from deltacal_gen.units import DEG
@@ -219,8 +219,8 @@ def _apart(rotations: Array, drawn: Array, problem: Problem) -> float:
     for s in np.unique(setup):
         own = np.flatnonzero((setup == s) & np.isfinite(rotations[:, 0, 0]))[:POSES_LOOKED_AT]
         a, b = np.triu_indices(len(own), 1)
-        cosines = (np.clip((np.einsum("nij,nij->n", R[own[a]], R[own[b]]) - 1) / 2, -1, 1) for R in (rotations, drawn))
-        read, made = map(np.arccos, cosines)
+        turns = (to_vector(np.swapaxes(R[own[a]], 1, 2) @ R[own[b]]) for R in (rotations, drawn))
+        read, made = (np.linalg.norm(turn, axis=1) for turn in turns)
         off.append(np.abs(read - made))
     return float(np.median(np.concatenate(off)))
 
@@ -377,10 +377,10 @@ def _mistakes(problem: Problem) -> Iterator[tuple[str, Problem]]:
         for turn in (90, -90, 180) if problem.mechanism.joint_units[i] == "rad" else ():
             step = np.where(np.arange(len(joints)) == i, turn * DEG, 0.0)
             yield f"the zero of joint {i + 1} is off by {turn} deg", with_joints(body.q + step)
-    for i, j, coupling in _coupled(problem):
-        words = f"joint {j + 1} counts from a line that stays as joint {i + 1} turns (page arm: {coupling})"
-        sign = -1 if "-" in coupling else 1
-        yield words, with_joints(body.q + np.where(np.arange(len(joints)) == j, sign * body.q[:, [i]], 0.0))
+    for (i, table), sign in itertools.product(read_together(problem.robot), (1, -1)):
+        words = f"joint {i + 2} counts from a line that stays as joint {i + 1} turns"
+        added = np.where(np.arange(len(joints)) == i + 1, sign * body.q[:, [i]], 0.0)
+        yield f"{words} (page arm: coupling = {{{table} = {sign:.1f}}})", with_joints(body.q + added)
     if set(problem.mechanism.joint_units) == {"rad"}:
         yield "the joints are in radians", with_joints(body.q / DEG)
         for turn in (90, -90):
@@ -412,21 +412,6 @@ def _shifted(problem: Problem) -> Iterator[tuple[str, Problem]]:
             "the readings are shifted against the joints by one row",
             rolled.some(POSES_LOOKED_AT, np.random.default_rng(SEED)),
         )
-
-
-def _coupled(problem: Problem) -> Iterator[tuple[int, int, str]]:
-    """Return which joints may be read together, and how a chain's file says so: a rod holds the line of the second.
-
-    Those are neighbours whose axes are parallel, shoulder and elbow: a controller may count the elbow from the
-    horizontal, as a parallelogram does.
-    """
-    links = problem.robot.links
-    tables = [n for n, link in enumerate(links) if link.kind in MOVING]
-    for i, (own, other) in enumerate(itertools.pairwise(tables)):
-        line = links[own if links[other].convention == "standard" else other]
-        if other == own + 1 and links[own].kind == links[other].kind == "revolute" and abs(np.sin(line.alpha)) < 0.1:
-            yield i, i + 1, f"coupling = {{{own + 1} = 1.0}}"
-            yield i, i + 1, f"coupling = {{{own + 1} = -1.0}}"
 
 
 def check_rows(first: Fit, recording: Recording) -> None:

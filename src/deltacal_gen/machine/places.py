@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -23,6 +24,21 @@ def number_of(robot: Robot, limb: int) -> str:
     """Return which of its limbs one is, as `2`; where a chain's file counts other links, too, with its table there."""
     tables = [k for k, link in enumerate(robot.links, start=1) if link.kind in MOVING]
     return str(limb) if not tables or tables[limb - 1] == limb else f"{limb} ([[joint]] {tables[limb - 1]})"
+
+
+def read_together(robot: Robot) -> list[tuple[int, int]]:
+    """Return joints, from 0, with which a controller may count the next one together, and their tables, from 1.
+
+    Their axes are parallel, as those of shoulder and elbow, whose angle is one to the horizontal where a rod holds it.
+    """
+    mechanism, found = mechanism_of(robot), []
+    tables = [k for k, link in enumerate(robot.links) if link.kind in MOVING]
+    parallel = {name for name in mechanism.model(mechanism.full_model) if name.startswith("beta_")}
+    for i, (first, second) in enumerate(itertools.pairwise(tables)):
+        between = first if robot.links[second].convention == "standard" else second
+        if second == first + 1 and f"beta_{between + 1}" in parallel:
+            found.append((i, first + 1))
+    return found
 
 
 def place_of(robot: Robot, limbs: Sequence[int], part: str | None = None) -> str:
