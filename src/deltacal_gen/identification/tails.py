@@ -8,10 +8,10 @@ told, and the standard deviation is the mean over all of these, each as likely a
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import lgamma, log, pi
 from typing import Literal
 
 import numpy as np
-from scipy.special import gammaln
 
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.machine.registry import Array
@@ -67,7 +67,7 @@ def tails(z: Array) -> Tails:
     for degrees in DEGREES:
         scale = _scale(size**2, degrees)
         each = np.log1p(size**2 / (degrees * scale)).sum()
-        norm = gammaln((degrees + 1) / 2) - gammaln(degrees / 2) - np.log(np.pi * degrees * scale) / 2
+        norm = lgamma((degrees + 1) / 2) - lgamma(degrees / 2) - log(pi * degrees * scale) / 2
         likely = np.append(likely, n * norm - (degrees + 1) / 2 * each - np.log(len(DEGREES)))
         spreads.append(np.sqrt(scale * degrees / (degrees - 2)))
     best = int(likely.argmax())
