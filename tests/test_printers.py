@@ -25,9 +25,10 @@ from deltacal_gen.files.writing import write_recording
 from deltacal_gen.identification.identification import identify
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.simulation import simulate
+from deltacal_gen.results.written import FirmwareLines
 from deltacal_gen.units import DEG
 from deltacal_gen.use.comparison import flattered
-from deltacal_gen.use.firmware import firmware_lines
+from deltacal_gen.use.firmware import Printed, firmware_lines
 
 Spoil = Callable[[Array, list[Any]], tuple[Array, list[Any]]]
 STEP = 40.0 / (200 * 16)
@@ -380,6 +381,34 @@ def test_lines_of_a_diagnosed_machine_put_the_bed_first(printer: Robot, rng: np.
     assert not lines.by_readings
     assert lines.after.bed_rms_mm < 0.5 * lines.before.bed_rms_mm
     assert lines.after.bed_rms_mm < 0.1 * lines.after.lateral_rms_mm
+
+
+def test_lines_by_heights_alone_ask_for_the_bed_alone(printer: Robot, run: Run, tmp_path: Path) -> None:
+    """A mesh leaves open where across the bed the nozzle is: lines that follow what is made up there bend the bed.
+
+    Held against the machine that was simulated, they leave on its bed what the firmware's own fit leaves.
+    """
+    rng = np.random.default_rng(1)
+    truth = plausible(rng, LINEAR.model("linear_delta/21"))
+    heights = simulate(printer, recording(printer, grid(100, 30)), truth, noise_mm=0.01, rng=rng)
+    bed = Printed(dataclasses.replace(printer, errors=truth), LINEAR, belts=False)
+
+    def left(lines: FirmwareLines) -> float:
+        radius, *others = (v.after for v in lines.values)
+        keys = zip(("arm_length", "tower_angle", "endstop"), np.split(np.array(others), 3), strict=True)
+        numbers = {key: values * (DEG if key == "tower_angle" else 1.0) for key, values in keys}
+        geometry = {**printer.geometry, "radius": np.array([radius]), **numbers}
+        return bed.left(dataclasses.replace(printer, geometry=geometry)).bed_rms_mm
+
+    by_diagnosis = commands.firmware_lines(commands.diagnose(printer, heights, output=tmp_path / "d.json"), "klipper")
+    by_fit = commands.firmware_lines(commands.identify(printer, heights), "klipper")
+    assert by_diagnosis.heights_alone
+    assert not by_diagnosis.by_readings
+    assert left(by_diagnosis) < 1.2 * left(by_fit)
+    assert {v.after for v in by_diagnosis.values if v.name.startswith("arm")} == {270.0, 270.5, 269.5}
+    out = run("compensate", tmp_path / "d.json", "--export", "klipper", "-o", tmp_path / "lines.cfg")[1]
+    assert "lateral" not in out
+    assert "heights alone do not say" in " ".join(out.split())
 
 
 def test_lines_that_are_worse_than_those_in_the_file_are_refused(

@@ -64,6 +64,8 @@ class FirmwareLines(Value):
     text: str
     by_readings: bool
     """Whether they are a fit of the firmware's own parameters to the readings."""
+    heights_alone: bool
+    """Whether nothing but heights was read: then errors across the bed and above it are not known."""
     before: FirmwareLeft
     after: FirmwareLeft
     values: tuple[FirmwareValue, ...]

@@ -2,7 +2,8 @@
 
 Firmware knows radius, arms, tower angles and endstops. Where the readings have been fitted by just these, that fit is
 written. Of a machine that has more, the lines are those with the least error over the bed, which is what the first
-layer asks for, and over the printed volume. What is in the file now stands beside; lines that are worse are refused.
+layer asks for, and over the printed volume; where nothing but heights was read, over the bed alone: they do not say
+where across it the nozzle is. What is in the file now stands beside; lines that are worse are refused.
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ from deltacal_gen.files.robot import Robot
 from deltacal_gen.files.writing import write_files
 from deltacal_gen.machine.registry import SOLVED, Array, Machine, load_mechanism, mechanism_of
 from deltacal_gen.machine.rotation import about_z
+from deltacal_gen.results.diagnosis import Diagnosis
 from deltacal_gen.results.result import Result
 from deltacal_gen.results.written import FirmwareLeft, FirmwareLines, FirmwareValue
 from deltacal_gen.units import DEG, file_unit, to_internal
@@ -33,7 +35,8 @@ WORSE = 1e-6  # mm: lines that leave so much more on the bed than those in the f
 LAYERS = (0.0, 0.2, 0.4)  # of the endstop's height; the first is the bed
 RINGS = (1 / 3, 2 / 3, 1.0)  # of the printed radius
 BED_MM = 0.02  # what a probe knows of the bed, and a first layer bears
-VOLUME_MM = 1.0  # what a probe leaves open of where the nozzle is: heights see it only as far as it bends the bed
+VOLUME_MM = 1.0  # what distances and a probe leave open of where the nozzle is
+HEIGHTS = "height"  # kind of readings that say nothing of where across the bed the nozzle is
 STEP = 0.1  # ordinary sizes: of a finite difference
 ROUNDS, SETTLED = 30, 1e-9  # of the fit of the lines; ordinary sizes
 
@@ -50,7 +53,12 @@ def exceeded_by(model: str) -> bool:
 
 
 def firmware_lines(
-    robot: Robot, kind: str, physics: Sequence[str] = (), fitted: Mapping[str, float] | None = None
+    robot: Robot,
+    kind: str,
+    physics: Sequence[str] = (),
+    fitted: Mapping[str, float] | None = None,
+    *,
+    heights_alone: bool = False,
 ) -> FirmwareLines:
     """Return the lines of a printer's firmware for a calibrated machine.
 
@@ -63,6 +71,8 @@ def firmware_lines(
         Effects that were diagnosed on it, which no line can carry.
     fitted : mapping, optional
         Source errors in the units of files, where the firmware's own parameters have been fitted to the readings.
+    heights_alone : bool
+        Whether nothing but heights was read.
 
     Raises
     ------
@@ -76,7 +86,8 @@ def firmware_lines(
             f"{', '.join(KINDS)} lines describe a {MODEL.partition('/')[0]}, not '{kind}' of a {robot.mechanism}."
         )
     mechanism = mechanism_of(robot)
-    bed = Printed(robot, mechanism, belts=kind == "klipper" and robot.transmission is not None)
+    belts = kind == "klipper" and robot.transmission is not None and not heights_alone
+    bed = Printed(robot, mechanism, belts=belts)
     nominal = dataclasses.replace(robot, errors={})
     own = set(mechanism.model(MODEL))
     by_readings = fitted is not None and set(fitted) <= own
@@ -84,7 +95,7 @@ def firmware_lines(
         units = {p.name: p.unit for p in mechanism.parameters}
         written = dataclasses.replace(nominal, errors={n: v * to_internal(units[n]) for n, v in fitted.items()})
     else:
-        written = bed.closest(nominal)
+        written = bed.closest(nominal, heights_alone)
     before, after = bed.left(nominal), bed.left(written)
     if not by_readings and after.bed_rms_mm > before.bed_rms_mm + WORSE:
         raise NoSolutionError(
@@ -95,24 +106,32 @@ def firmware_lines(
     missing = [] if by_readings else _not_carried(bed.carried, mechanism, own)
     missing += [f"the effect {name}" for name in physics]
     values = _changes(nominal, written)
-    mark = "#" if kind == "klipper" else ";"
-    head = [
-        f"{mark} {robot.name}: what these lines leave over the printed volume: rms {after.rms_mm:.4f}, worst "
-        f"{after.worst_mm:.4f} mm",
-        f"{mark} on the bed: rms {after.bed_rms_mm:.4f} mm, by the lines before {before.bed_rms_mm:.4f} mm",
-    ]
-    head += [f"{mark} {v.name}: {v.before:.4f} -> {v.after:.4f} {v.unit}" for v in values]
-    head += [f"{mark} not carried by them:"] * bool(missing) + [f"{mark}   {note}" for note in missing]
-    text = "\n".join([*head, _WRITERS[kind](written, bed.scales)]) + "\n"
-    return FirmwareLines(
+    lines = FirmwareLines(
         kind=kind,
-        text=text,
+        text=_WRITERS[kind](written, bed.scales),
         by_readings=by_readings,
+        heights_alone=heights_alone,
         before=before,
         after=after,
         values=values,
         not_carried=tuple(missing),
     )
+    return lines.replace(text="\n".join([*_head(robot.name, lines), lines.text]) + "\n")
+
+
+def _head(name: str, lines: FirmwareLines) -> list[str]:
+    """Return what stands above the lines: what they leave, what they change, and what they cannot carry."""
+    mark = "#" if lines.kind == "klipper" else ";"
+    over = f"rms {lines.after.rms_mm:.4f}, worst {lines.after.worst_mm:.4f} mm"
+    volume = "heights alone do not say" if lines.heights_alone else over
+    head = [
+        f"{name}: what these lines leave over the printed volume: {volume}",
+        f"on the bed: rms {lines.after.bed_rms_mm:.4f} mm, by the lines before {lines.before.bed_rms_mm:.4f} mm",
+        *(f"{v.name}: {v.before:.4f} -> {v.after:.4f} {v.unit}" for v in lines.values),
+        *["not carried by them:"] * bool(lines.not_carried),
+        *(f"  {note}" for note in lines.not_carried),
+    ]
+    return [f"{mark} {line}" for line in head]
 
 
 def lines_of(known: Result, robot: Robot, kind: str, physics: Sequence[str]) -> FirmwareLines:
@@ -134,7 +153,13 @@ def lines_of(known: Result, robot: Robot, kind: str, physics: Sequence[str]) -> 
             f"all by {known.before_rms_mm:.4f} mm: new lines would be no better. Keep those that are there, or probe "
             "more points."
         )
-    return firmware_lines(robot, kind, physics, None if beside is None else beside.errors)
+    fitted = None if beside is None else beside.errors
+    return firmware_lines(robot, kind, physics, fitted, heights_alone=reads_heights_alone(known))
+
+
+def reads_heights_alone(known: Result | Diagnosis) -> bool:
+    """Tell whether an answer's readings are heights above the bed and nothing else."""
+    return known.instrument.kind == HEIGHTS
 
 
 def export_firmware(found: FirmwareLines, path: str | Path) -> None:
@@ -184,11 +209,12 @@ class Printed:
             worst_mm=float(size.max()),
         )
 
-    def closest(self, nominal: Robot) -> Robot:
-        """Return the machine that firmware can describe with the least error over bed and volume."""
-        names = self.mechanism.model(MODEL)
+    def closest(self, nominal: Robot, heights_alone: bool = False) -> Robot:
+        """Return the machine that firmware can describe with the least error over bed and volume, or the bed alone."""
+        names = self.mechanism.model(FROM_HEIGHTS if heights_alone else MODEL)
         typical = self.mechanism.typical[[self.mechanism.index[n] for n in names]]
-        weight = np.where(self.on_bed[:, None] & (np.arange(3) == 2), 1 / BED_MM, 1 / VOLUME_MM)
+        volume = 0.0 if heights_alone else 1 / VOLUME_MM
+        weight = np.where(self.on_bed[:, None] & (np.arange(3) == 2), 1 / BED_MM, volume)
 
         def described(errors: Array) -> Robot:
             return dataclasses.replace(nominal, errors=dict(zip(names, (errors * typical).tolist(), strict=True)))
@@ -197,7 +223,7 @@ class Printed:
             return (weight * self._off(described(errors))).ravel()
 
         errors = np.zeros(len(names))
-        for _ in range(ROUNDS):  # a smooth problem of nine unknowns near its solution: Gauss-Newton
+        for _ in range(ROUNDS):  # a smooth problem of a few unknowns near its solution: Gauss-Newton
             steps = STEP * np.eye(len(names))
             J = np.column_stack([(missed(errors + s) - missed(errors - s)) / (2 * STEP) for s in steps])
             change = np.linalg.lstsq(J, -missed(errors), rcond=None)[0]

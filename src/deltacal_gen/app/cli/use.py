@@ -125,13 +125,18 @@ def _show_lines(lines: FirmwareLines, output: Path, told: list[str]) -> None:
     for v in lines.values:
         table.add_row(v.name, f"{v.before:.4f}", f"{v.after:.4f}", v.unit)
     table.add_section()
-    for name, key in (("error on the bed", "bed"), ("lateral error", "lateral")):
+    shown = [("error on the bed", "bed"), ("lateral error", "lateral")]
+    for name, key in shown[: 1 if lines.heights_alone else 2]:
         for figure in ("rms", "worst"):
             now, new = (getattr(left, f"{key}_{figure}_mm") for left in (lines.before, lines.after))
             table.add_row(f"{name}, {figure}", f"{now:.4f}", f"{new:.4f}", "mm")
     screen.print(table)
-    how = "a fit of the firmware's own numbers to the readings" if lines.by_readings else "least over bed and volume"
-    screen.print(f"errors are those of the calibrated machine over the printed volume; the lines are {how}")
+    least = "least over the bed" if lines.heights_alone else "least over bed and volume"
+    how = "a fit of the firmware's own numbers to the readings" if lines.by_readings else least
+    where = "the printed bed" if lines.heights_alone else "the printed volume"
+    screen.print(f"errors are those of the calibrated machine over {where}; the lines are {how}")
+    if lines.heights_alone:
+        screen.print("heights alone do not say how far prints are off across the bed: identify says what to measure")
     if lines.not_carried:
         names = ", ".join(note.partition(" = ")[0] for note in lines.not_carried)
         screen.print(f"not carried by the lines, with their sizes in the file: {escaped(names)}")

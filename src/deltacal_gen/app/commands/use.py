@@ -227,7 +227,7 @@ def firmware_lines(result: Given, kind: str, output: Source | None = None, *, te
     if isinstance(known, Result):
         found = firmware.lines_of(known, robot, kind, physics)
     else:
-        found = firmware.firmware_lines(robot, kind, physics)
+        found = firmware.firmware_lines(robot, kind, physics, heights_alone=firmware.reads_heights_alone(known))
     if known.correction is not None:
         tell("the smooth correction is not part of an export; compensate targets instead")
     if output is not None:
