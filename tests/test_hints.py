@@ -12,6 +12,7 @@ from deltacal_gen.diagnosis import hints, strategy
 from deltacal_gen.diagnosis.answer import Diagnosed
 from deltacal_gen.diagnosis.charges import MARGIN
 from deltacal_gen.diagnosis.diagnosis import diagnose
+from deltacal_gen.diagnosis.discrimination import NO_POSES
 from deltacal_gen.diagnosis.evidence import MOST_WRONG, Evidence, evidence
 from deltacal_gen.diagnosis.hints import hinted
 from deltacal_gen.diagnosis.library import library
@@ -176,6 +177,15 @@ def test_what_earned_its_price_is_in_the_summary_whatever_the_verdict(weak: Diag
     text = _earning(weak, Verdict(verdict)).summary
     assert "There may also be backlash at limb 2 (p = 1e-06); joint_scale at limb 2 (p = 1e-06)" in text
     assert "zero_drift" not in text
+
+
+def test_what_no_poses_decide_is_not_promised_to_be_decided(weak: Diagnosed) -> None:
+    promised = "what to measure next would decide it"
+    assert promised in weak.answer().summary
+    none = tuple(n.replace(poses=(), text=NO_POSES) for n in weak.next_measurements)
+    told = dataclasses.replace(weak, next_measurements=none).answer().summary
+    assert promised not in told
+    assert "poses of this machine would not decide it" in told
 
 
 def test_hints_stand_on_the_page_with_what_decides(weak: Diagnosed) -> None:

@@ -11,7 +11,7 @@ import numpy as np
 
 from deltacal_gen.diagnosis.chance import Chance
 from deltacal_gen.diagnosis.correction import POSITION, Correction
-from deltacal_gen.diagnosis.discrimination import more_poses
+from deltacal_gen.diagnosis.discrimination import NO_POSES, more_poses
 from deltacal_gen.diagnosis.findings import Named
 from deltacal_gen.diagnosis.harmonics import order_of
 from deltacal_gen.diagnosis.laws.laws import Lawful
@@ -390,7 +390,13 @@ def _hinted(found: Diagnosed) -> str:
     several = len(shown) > 1
     why = f"earned {'their' if several else 'its'} price but {'are' if several else 'is'} not proven"
     why = why if all(h.earned for h in shown) else "is not proven"
-    return f" There may {'' if calm else 'also '}be {told}{more}, which {why}: what to measure next would decide it."
+    names = {h.name for h in shown}
+    asked = [n.text for n in found.next_measurements if n.separates and n.separates[0] in names]
+    hopeless = bool(asked) and all(text == NO_POSES for text in asked)
+    decides = (
+        ", and poses of this machine would not decide it" if hopeless else ": what to measure next would decide it"
+    )
+    return f" There may {'' if calm else 'also '}be {told}{more}, which {why}{decides}."
 
 
 def _doubtful(hint: Hint) -> str:

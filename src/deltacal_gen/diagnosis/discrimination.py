@@ -39,6 +39,7 @@ from deltacal_gen.states import CHANNELS, TEMPERATURE, TIME, of_column
 # diagnosis calls them not told apart (`findings.AMBIGUOUS`) in 99 of 100 recordings
 CLEAR = 58.0
 LEAST = 10.0  # of chi2: poses that promise less are not worth a trip to the machine
+NO_POSES = f"No poses of this machine do: none promise a difference of {LEAST:g} in chi2."
 PROFILE = "separates a profile of the axis from the instrument's own non-linearity"
 TURNED_ROUND = (
     "Such readings show both alike. Turn the instrument round, or shift it along the axis, and repeat: what moves with "
@@ -350,7 +351,7 @@ def _entry(why: str, found: Proposal, truth: Term, rival: Term | None, problem: 
     missing = [
         n for n in columns_read(problem, [t for t in (truth, rival) if t]) if n not in problem.recording.channels
     ]
-    text = "No poses of this machine do."
+    text = NO_POSES
     if missing:
         text += f" Record {', '.join(missing)} and vary what is recorded."
     if any(_reads_only(t) for t in (truth, rival) if t):
