@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import dataclasses
+import re
 from collections.abc import Callable
+from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
@@ -11,6 +13,7 @@ import numpy as np
 import pytest
 from scipy import signal
 
+import deltacal_gen as dc
 from deltacal_gen.files.robot import read_robot
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.motion import fit as fits_of_joints
@@ -227,3 +230,12 @@ def test_bodies_that_could_be_built_have_drives_that_could(session: Session) -> 
     values = values + rigid.rigid.stated_base(rigid.rigid.common)
     std = np.array([told[name].std for name, _ in rigid.rigid.words(rigid.rigid.common)])
     assert np.sqrt(np.mean(((made - values) / std) ** 2)) < 3
+
+
+def test_what_takes_much_away_and_is_not_named_says_why(tmp_path: Path) -> None:
+    """Of a short recording friction takes much of what is left away, and does not earn what its search costs."""
+    told = dc.diagnose(tmp_path / "robot.toml", written(tmp_path, usual, runs=1, seconds=5.0))["rejected"]
+    most = [r["why"] for r in told if float(r["why"].split()[2]) >= 10]
+    assert most
+    for why in most:
+        assert re.search(r"its search costs \d|does not foretell the others", why), why

@@ -152,6 +152,7 @@ def test_optional_tables_may_be_absent_and_one_number_stands_for_all_limbs(tmp_p
             5,
             "'distal_length' in [geometry] is missing. Add it: what distal_length means [mm]",
         ),
+        ("base_radius = 200.0", "gravity = 200.0", 6, "'gravity' in [geometry] is not known. It belongs to [masses]."),
         ("[geometry]   # mm", "[geometri]", 5, "'geometri' is not known. Did you mean 'geometry'?"),
         ("= 375.0", "= -375.0", 8, "'proximal_length' in [geometry] is -375.0: a number above 0 was expected. Correct"),
         ("= 375.0", "= nan", 8, "a finite number was expected"),

@@ -80,6 +80,8 @@ class TomlFile:
         if flaw["type"] == "extra_forbidden":
             close = nearest(key, fields)
             remedy = f"Did you mean '{close}'?" if close else f"Known here: {', '.join(fields) or 'nothing'}."
+            if elsewhere := [name for name in schema.model_fields if key in _fields(schema, [name])]:
+                remedy = f"It belongs to {' or '.join(f'[{name}]' for name in elsewhere)}."
             return self.error(f"'{key}'{where} is not known.", remedy, *keys)
         if flaw["type"] == "missing":
             meaning = fields[key].description if key in fields else None

@@ -252,12 +252,23 @@ def _rejected(session: Session, effects: Sequence[TorqueEffect], fits: Sequence[
                 name=name,
                 gain_chi2=float(max(k.gain for _, k in where)),
                 why=f"it takes {100 * max(most.buys, 0.0):.2g} % of the held-out rms away where it takes most, on "
-                f"joint {fit.joint.number}, beside what is named",
+                f"joint {fit.joint.number}, beside what is named{_for_all_that(fit, most)}",
                 **(session.in_unit("heldout_rms", float(np.sqrt(square))) if one else {}),
                 heldout_rms_by_joint=by_joint,
             )
         )
     return tuple(sorted(found, key=lambda r: -r.gain_chi2))
+
+
+def _for_all_that(fit: Fit, looked: LookedAt) -> str:
+    """Return why an effect that takes enough of the held-out rms away is not named for all that."""
+    if looked.buys < BUYS:
+        return ""
+    if looked.gain <= looked.price:
+        return f": it earns {looked.gain:.3g} of chi2, and its search costs {looked.price:.3g}"
+    if not fit.rungs:
+        return ": but what some stretches would choose does not foretell the others; a longer recording may tell"
+    return ""
 
 
 def _parameters(session: Session, fit: Fit, n: int) -> list[EffectParameter]:

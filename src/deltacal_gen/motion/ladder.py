@@ -48,6 +48,16 @@ class LookedAt:
     tried: int
     buys: float = 0.0
 
+    @property
+    def price(self) -> float:
+        """What it must earn in chi2."""
+        return price(self.width, self.tried)
+
+
+def price(width: int, tried: int) -> float:
+    """Return what an effect of some coefficients, the best of some candidates, must earn in chi2."""
+    return PER_COEFFICIENT * width + 2 * float(np.log(tried))
+
 
 def columns_of(rungs: Sequence[Rung], first: int) -> tuple[tuple[int, ...], ...]:
     """Return where the columns of each of some rungs stand, one after another from `first` on."""
@@ -166,7 +176,7 @@ class Ladder:
 
     def charge(self, rung: int) -> float:
         """Return what a rung must earn in chi2."""
-        return PER_COEFFICIENT * len(self.at[rung]) + 2 * float(np.log(len(self.rungs)))
+        return price(len(self.at[rung]), len(self.rungs))
 
     def passed_over(self, chosen: Sequence[int], folds: Sequence[int]) -> tuple[LookedAt, ...]:
         """Return what each effect that is not chosen would do beside the rungs chosen."""
