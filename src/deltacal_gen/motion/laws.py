@@ -238,9 +238,9 @@ class _Search:
         """Return which part of the squares that are left a form takes away, at the samples of the screen."""
         with np.errstate(all="ignore"):
             Z = _rung(form, self.limits).columns(self.some)
-        if not np.isfinite(Z).all():
+            size = np.sqrt((Z**2).sum(axis=0))
+        if not np.isfinite(size).all():
             return 0.0
-        size = np.sqrt((Z**2).sum(axis=0))
         Z = Z - self.Q @ (self.Q.T @ Z)
         free = np.sqrt((Z**2).sum(axis=0))
         if (free <= 1e-6 * size).any():

@@ -16,6 +16,7 @@ from deltacal_gen.motion.bands import uncertainty_of
 from deltacal_gen.motion.derivatives import motion
 from deltacal_gen.motion.fit import Fit
 from deltacal_gen.motion.joint import Joint, Series, series_of
+from deltacal_gen.motion.lost import without_lost
 from deltacal_gen.motion.payload import PayloadError, payload_error, torque_of
 from deltacal_gen.motion.regression import GAP, LEAST_RUNS, STRETCH
 from deltacal_gen.motion.rigid import Rigid
@@ -68,9 +69,11 @@ class Session:
 
     @classmethod
     def of(cls, robot: Robot, given: Trajectories) -> Session:
-        """Return a recording made ready, all bodies of the machine unknown."""
+        """Return a recording made ready, all bodies of the machine unknown; readings that were lost are left out."""
         rigid, found = Rigid(robot), motion(given)
-        return cls(robot, given, found, rigid, [each.at() for each in series(robot, given, found, rigid)])
+        ready = cls(robot, given, found, rigid, [each.at() for each in series(robot, given, found, rigid)])
+        kept = without_lost(given, ready.moving)
+        return ready if kept is None else cls.of(robot, kept)
 
     def stated(self, payload: PayloadError | None = None) -> Session | None:
         """Return the same with what the robot file states of the machine's bodies, and a payload, as known.

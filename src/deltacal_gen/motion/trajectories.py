@@ -437,7 +437,10 @@ def _spikes_out(values: Array, piece: np.ndarray, *, filled: bool) -> dict[int, 
     if len(known) < 10 * LONGEST_SPIKE:
         return {}
     off = np.concatenate([_off(values[own]) for own in np.split(known, np.flatnonzero(np.diff(piece[known])) + 1)])
+    steps = np.abs(np.diff(values[known]))
+    count = float(np.min(steps[steps > 0], initial=np.inf))  # of a coarse reading: one count more is in proportion
     ordinary = max(float(np.quantile(off, 0.99)), 1e-12 + 1e-3 * float(np.quantile(np.abs(values[known]), 0.99)))
+    ordinary = max(ordinary, count) if np.isfinite(count) else ordinary
     spikes = known[off > SPIKE * ordinary]
     said = {int(k): float(values[k]) for k in spikes}
     if said:
