@@ -49,6 +49,18 @@ def test_readings_that_were_lost_are_left_out_and_told(tmp_path: Path, spoil: Sp
     assert rigid["motion"]["repairs"][-1] == said
 
 
+def test_a_reading_that_ends_at_its_range_is_lost_there(tmp_path: Path) -> None:
+    path = written(tmp_path, usual)
+    head, *rows = [line.split(",") for line in path.read_text().splitlines()]
+    column = head.index("tau1_Nm")
+    most = 0.7 * max(abs(float(row[column])) for row in rows)
+    clipped = [[*row[:column], f"{np.clip(float(row[column]), -most, most):.6f}", *row[column + 1 :]] for row in rows]
+    path.write_text("\n".join(",".join(row) for row in (head, *clipped)) + "\n")
+    found = dc.diagnose(tmp_path / "robot.toml", path)
+    assert max(found["final"]["heldout_rms_by_joint"]) < 1.2 * NOISE
+    assert named(found) == {"coulomb_friction": [1, 2], "viscous_friction": [1, 3]}
+
+
 def test_a_drive_of_coarse_counts_loses_nothing(tmp_path: Path) -> None:
     """Its readings repeat themselves, for long where it goes on evenly, and are all of them true."""
     path = written(tmp_path, usual)

@@ -14,6 +14,7 @@ from deltacal_gen.motion.trajectories import Trajectories
 SELDOM = 0.05  # of the stretches of equal readings longer than one sample: those of a drive that hardly repeats itself
 CHANCE = 1e-6  # of a stretch of equal readings, where one is like the next as seldom as elsewhere
 ROUNDS = 3
+MOST = 0.5  # of a joint's samples: fewer that change do not refute more that stand still
 STALE = 3.0  # times the rest elsewhere: where a reading stands still and is off by more it is none
 
 
@@ -33,11 +34,9 @@ def lost(given: Trajectories, joint: Joint) -> np.ndarray:
         ordinary = len(y) * seldom ** (length - 1.0) >= CHANCE
     still = ~ordinary[stretch]
     seen = still[joint.rows]
-    if seldom > SELDOM or not seen.any():
+    if seldom > SELDOM or not 0.0 < np.mean(seen) < MOST:
         return nothing
     X = joint.columns([Rung(name) for name in USUAL], joint.load_by(None))
-    if np.sum(~seen) <= X.shape[1]:
-        return nothing
     left = joint.y - X @ np.linalg.lstsq(X[~seen], joint.y[~seen], rcond=1e-9)[0]
     off, elsewhere = (float(np.mean(left[of] ** 2)) for of in (seen, ~seen))
     return np.flatnonzero(still) if off > STALE**2 * elsewhere else nothing
