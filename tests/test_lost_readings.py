@@ -87,3 +87,29 @@ def test_a_drive_that_gives_the_same_for_long_is_believed(tmp_path: Path) -> Non
     found = dc.diagnose(tmp_path / "robot.toml", path)
     assert found["motion"]["repairs"] == []
     assert "coulomb_friction" in named(found)
+
+
+def test_a_pendulum_that_swings_freely_gave_no_torque(tmp_path: Path) -> None:
+    """Zeros while the drive is off are readings like others: the swing tells of friction."""
+    (tmp_path / "robot.toml").write_text(
+        '[robot]\nname = "pendulum"\nmechanism = "serial"\n[masses]\ngravity = [0.0, -9.81, 0.0]\n[[joint]]\n'
+        'kind = "revolute"\na = 200.0\nalpha = 0.0\nd = 0.0\ntheta = -90.0\n'
+    )
+    rng, step, every = np.random.default_rng(0), 0.001, 5
+    t = np.arange(0, 24, step)
+    u = np.where(t % 8 < 4.5, 1.2 * np.sin(4.4 * t) + 0.8 * np.sin(1.95 * t), 0.0)
+    q, w, angles = 0.3, 0.0, np.empty(len(t))
+    for k, torque in enumerate(u):
+        w += step * (torque - 2.0 * np.sin(q) - 0.08 * np.sign(w) - 0.03 * w) / 0.05
+        q += step * w
+        angles[k] = q
+    at = slice(None, None, every)
+    read = np.where(u == 0, 0.0, u + 0.02 * rng.standard_normal(len(u)))[at]
+    seen = np.degrees(angles[at]) + 0.02 * rng.standard_normal(len(read))
+    rows = [f"{a:.3f},{b:.4f},{c:.5f}" for a, b, c in zip(t[at], seen, read, strict=True)]
+    (tmp_path / "recording.csv").write_text("\n".join(["time_s,q1_deg,tau1_Nm", *rows]) + "\n")
+    (tmp_path / "recording.toml").write_text('[measurement]\nkind = "torque"\n')
+    found = dc.diagnose(tmp_path / "robot.toml", tmp_path / "recording.csv")
+    assert found["motion"]["repairs"] == []
+    coefficients = {p["name"]: p["value"] for e in found["effects"] for p in e["parameters"]}
+    assert coefficients == pytest.approx({"coulomb": 0.08, "viscous": 0.03 * np.pi / 180}, rel=0.1)
