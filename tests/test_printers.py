@@ -505,6 +505,16 @@ def test_fewer_heights_than_firmware_has_parameters_are_fitted_by_a_smaller_mode
     assert "firmware" not in found
 
 
+@pytest.mark.parametrize("n", [22, 24, 25])
+def test_diagnose_begins_with_the_model_that_identify_takes(n: int, printer: Robot, rng: np.random.Generator) -> None:
+    """One recording has one geometry, whichever command reads it."""
+    poses = recording(printer, grid(100, 30)[:n])
+    heights = simulate(printer, poses, {"endstop_1": 0.4}, noise_mm=0.01, rng=rng)
+    assert len(heights.joints) == n
+    diagnosed = commands.diagnose(printer, heights)
+    assert diagnosed["baseline"]["model"] == commands.identify(printer, heights)["model"]
+
+
 def test_six_parameters_of_firmware_are_enough_where_the_rest_is_known_from_before(
     printer: Robot, rng: np.random.Generator
 ) -> None:

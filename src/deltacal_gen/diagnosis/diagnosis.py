@@ -52,7 +52,7 @@ from deltacal_gen.diagnosis.strategy import (
 from deltacal_gen.diagnosis.structure import Structure, structures
 from deltacal_gen.diagnosis.wandering import following_walks
 from deltacal_gen.errors import NoSolutionError
-from deltacal_gen.estimation.fit import CONVERGED, SPARE_READINGS, fit, held_out_errors, rough
+from deltacal_gen.estimation.fit import CONVERGED, fit, held_out_errors, rough
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.prior import with_prior
 from deltacal_gen.estimation.problem import Problem, pose_problem
@@ -419,20 +419,17 @@ def _beside_noise_of(found: Fit, first: Fit) -> Fit:
 def _lean(problem: Problem) -> str | None:
     """Return the model of a printer's own session, whose few heights carry firmware's parameters and nothing else.
 
-    None where the readings carry the full geometry, beside which effects can be told.
+    None where `identify` would fit the full geometry, too, beside which effects can be told.
     """
-    mechanism = problem.mechanism
-    full = len(mechanism.model(mechanism.full_model)) + SPARE_READINGS
-    if not problem.readings.kind.probed or problem.readings.n_scalars >= full:
+    if not problem.readings.kind.probed:
         return None
-    return checks.chosen_model(mechanism, problem, problem.recording, None)
+    chosen = checks.chosen_model(problem.mechanism, problem, problem.recording, None)
+    return None if chosen == problem.mechanism.full_model else chosen
 
 
 def _untested(problem: Problem) -> tuple[Missing, ...]:
-    full = len(problem.mechanism.model(problem.mechanism.full_model)) + SPARE_READINGS
-    why = (
-        f"at least {full} readings, of which there are {problem.readings.n_scalars}: fewer cannot tell it from geometry"
-    )
+    full = checks.wanted(problem, problem.mechanism.full_model)
+    why = f"at least {full} readings, of which there are {checks.once(problem)}: fewer cannot tell it from geometry"
     return tuple(Missing(name=name, missing=why) for name in effect_names())
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import itertools
+import math
 from collections.abc import Iterator
 
 import numpy as np
@@ -62,13 +63,18 @@ def chosen_model(mechanism: Machine, problem: Problem, recording: Recording, ask
         names, name = mechanism.model(asked), mechanism.full_name(asked)
         _check_count(recording, scalars, len(names), extra, name, _spare(recording))
         return name
-    once = min(scalars, _once(problem))
     for name in by_size:
-        if once >= SPARE * (len(mechanism.models[name]) + extra):
+        if once(problem) >= wanted(problem, name):
             return name
     smallest = by_size[-1]
     _check_count(recording, scalars, len(mechanism.models[smallest]), extra, smallest, _spare(recording))
     return smallest
+
+
+def wanted(problem: Problem, model: str) -> int:
+    """Return how many scalar readings, repeats of a pose counted once, a model is chosen for unasked."""
+    extra = problem.begin(problem.reference).n_unknown
+    return math.ceil(SPARE * (len(problem.mechanism.model(model)) + extra))
 
 
 def enough(mechanism: Machine, problem: Problem, recording: Recording) -> None:
@@ -118,7 +124,7 @@ def enough_poses(problem: Problem, model: str) -> None:
     Repeats of a pose show noise, but nothing of the machine: such a recording cannot be split into a part to fit and a
     part to judge by.
     """
-    poses, scalars = _poses(problem), _once(problem)
+    poses, scalars = _poses(problem), once(problem)
     extra = problem.begin(problem.reference).n_unknown
     needed = len(problem.names) + extra + SPARE_READINGS
     if scalars < needed:
@@ -138,10 +144,10 @@ def _poses(problem: Problem) -> int:
     return len(np.unique(np.round(problem.body.q[np.unique(problem.readings.rows)], 9), axis=0))
 
 
-def _once(problem: Problem) -> int:
+def once(problem: Problem) -> int:
     """Return how many scalars the readings are where repeats of a pose count once."""
     found = problem.readings
-    scalars = found.kind.per_pose * len(np.unique(found.group))
+    scalars = min(found.n_scalars, found.kind.per_pose * len(np.unique(found.group)))
     return min(scalars, 3 * _poses(problem)) if found.rows.shape[1] == 2 else scalars
 
 
