@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import re
 from typing import Any
 
 import numpy as np
@@ -88,6 +89,17 @@ def test_a_gauge_is_found_where_it_is_and_not_where_the_sidecar_says(robot: Robo
     found = identify(robot, dataclasses.replace(recording, measurement=nominal), "18")
     fresh = simulate(robot, asked(robot, "gauge", scattered(robot, 25, 77)), truth)
     assert values(predict(found.answer(), fresh)) == pytest.approx(values(fresh), abs=1e-6)
+
+
+@pytest.mark.parametrize("zero", [0.0, -12.0])
+def test_lengths_that_count_from_elsewhere_are_told(robot: Robot, eighteen: dict[str, float], zero: float) -> None:
+    """A draw wire whose drum was never set: the constant is said, not fitted as a machine and called noise."""
+    poses = asked(robot, "gauge", np.vstack([poses_of(robot), scattered(robot, 60, 9)]))
+    read = simulate(robot, poses, eighteen, noise_mm=NOISE, rng=np.random.default_rng(4))
+    said = identify(robot, dataclasses.replace(read, measured=read.measured + zero), "18").answer().get("doubts")
+    told = [words for words in said or () if "a zero of their own" in words]
+    assert bool(told) == bool(zero)
+    assert all(re.search(r"12(\.\d)? mm shorter", words) for words in told)
 
 
 def noisy(robot: Robot, truth: dict[str, float], kind: str = "position", seed: int = 1) -> Recording:

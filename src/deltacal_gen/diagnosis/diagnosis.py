@@ -153,7 +153,7 @@ def diagnose(
         lean=lean,
         laws=lawful,
         turned=turned_of(robot, found.considered) if lawful or unexplained else "",
-        doubts=(*doubt, *checks.copied(recording), *checks.turned(current)),
+        doubts=(*doubt, *checks.copied(recording), *checks.turned(current), *checks.zeroed(current)),
     )
 
 

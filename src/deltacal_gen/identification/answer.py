@@ -13,7 +13,7 @@ from deltacal_gen.estimation.prior import BROAD
 from deltacal_gen.files.robot import kept_robot
 from deltacal_gen.identification import identifiability
 from deltacal_gen.identification.accuracy import distance_error, largest, volumetric_error
-from deltacal_gen.identification.checks import copied, turned
+from deltacal_gen.identification.checks import copied, turned, zeroed
 from deltacal_gen.identification.drawing import doubts, in_file
 from deltacal_gen.identification.identifiability import Combination
 from deltacal_gen.identification.noise import Noise, coordinate_sigma, freedom
@@ -187,7 +187,7 @@ def result_of(found: Identification) -> Result:
         uncertainty=found.uncertainty,
         unit=unit and unit[0],
         unit_mm=unit and unit[1],
-        doubts=(*doubts(final), *copied(recording), *turned(final)) or None,
+        doubts=(*doubts(final), *copied(recording), *turned(final), *zeroed(final)) or None,
     )
 
 

@@ -10,10 +10,11 @@ from collections.abc import Iterator
 import numpy as np
 
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
-from deltacal_gen.estimation.fit import SPARE_READINGS, rough
+from deltacal_gen.estimation.fit import SPARE_READINGS, fit, rough
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.residuals import lengths
+from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.files.robot import robot_size
 from deltacal_gen.instrument.kinds import kind_of, mounts
 from deltacal_gen.machine.places import read_together
@@ -33,6 +34,7 @@ NEARER = 0.5  # of the error: a mistake that brings less is not fitted
 MOST_FITTED = 4
 EXPLAINED = 0.1  # of the error: what a mistake may leave that explains it
 FEWEST_COPIES = 5  # rows: fewer may agree in every digit that was written
+EXACT = 1e-6  # of the machine's size: a fit that leaves less is one of readings without noise
 FAR_TURNED = 2 * DEG  # rms of rotations beside a fit: no instrument reads so badly
 TURNED = 0.3  # of what they are off: what another meaning of their angles may leave that explains them
 ELSEWHERE = 45 * DEG  # of an encoder offset: it is nearer to a quarter of a turn than to a joint that was homed badly
@@ -213,6 +215,35 @@ def turned(at: Fit) -> tuple[str, ...]:
         f"the measured rotations are {off / DEG:.2g} deg off this machine, which explains its positions: they told "
         "next to nothing. rx_deg, ry_deg, rz_deg are a rotation vector of the platform about the instrument's axes; "
         "what else they may be, the sidecar says (rotation under [measurement]).",
+    )
+
+
+def zeroed(at: Fit) -> tuple[str, ...]:
+    """Return that lengths count from a zero of their own, where that takes away most of what a fit leaves.
+
+    A wire's drum and a scale's slider know what moved, not how long it is. Left out, such a zero bends the machine and
+    looks like noise that all rows share.
+    """
+    problem, said = at.problem, at.problem.recording.measurement
+    freed = dataclasses.replace(said, zero="incremental")
+    other = dataclasses.replace(problem, recording=dataclasses.replace(problem.recording, measurement=freed))
+    if said.zero == freed.zero or at.rms() < EXACT * robot_size(problem.robot):
+        return ()
+    begun = other.begin(at.errors, at.machine)
+    unknown = at.solution.degrees + begun.n_unknown + SPARE_READINGS
+    if begun.n_unknown == at.instrument.n_unknown or problem.readings.n_scalars < unknown:
+        return ()
+    try:
+        again = fit(other, Prior(), errors=at.errors, machine=at.machine, weigh_repeats=False, must_converge=False)
+    except (InputError, NoSolutionError):
+        return ()
+    if again.rms() > NEARER * at.rms():
+        return ()
+    zero = float(np.median(again.instrument.state[:, again.instrument.free[-1]]))
+    return (
+        f"the lengths count from a zero of their own: {abs(zero):.3g} mm {'longer' if zero > 0 else 'shorter'} than "
+        f"from point to point, which leaves {again.rms():.3g} mm instead of {at.rms():.3g} mm. Correct the column "
+        f'{problem.recording.columns[0]}, or say zero = "incremental" under [measurement] in the sidecar.',
     )
 
 
