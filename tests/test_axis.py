@@ -46,6 +46,37 @@ def cycles(folder: Path, robot: Robot, column: str, *, sidecar: str = "", warm: 
     return read_recording(folder / "axis.csv", load_mechanism("serial", robot.links))
 
 
+def visits(folder: Path, robot: Robot, profile: Array, walk: Array) -> Recording:
+    """Write and read five cycles over few positions: a profile that is there each time, and what wanders."""
+    places = np.arange(len(profile))
+    place = np.tile(np.concatenate([places, places[::-1]]), 5)
+    way = np.tile(np.repeat([1, -1], len(places)), 5)
+    moved = 2.5 * place + profile[place] + walk
+    rows = zip(np.arange(len(place)) // (2 * len(places)), 2.5 * place, way, moved, strict=True)
+    lines = [f"{cycle},{q},{w},{x:.5f}" for cycle, q, w, x in rows]
+    (folder / "axis.csv").write_text("\n".join(["cycle,q1_mm,approach1,x_mm", *lines]) + "\n")
+    return read_recording(folder / "axis.csv", load_mechanism("serial", robot.links))
+
+
+def test_what_comes_back_at_each_visit_depends_on_where_it_is(robot: Robot, tmp_path: Path) -> None:
+    """A screw read once a turn: no smooth function of the way, but no noise that hangs together either."""
+    rng = np.random.default_rng(2)
+    profile = 0.03 * np.array([1.0, -1.0, 0.5, -0.3, 0.8, -0.9, 0.2, 1.0, -0.7])
+    found = diagnose(robot, visits(tmp_path, robot, profile, 0.004 * rng.standard_normal(90))).answer()
+    assert found.verdict == "unexplained"
+    assert "comes back at each visit of a pose (correlation 0.9" in found.location.text
+
+
+def test_an_axis_that_wanders_is_no_want_of_poses(robot: Robot, tmp_path: Path) -> None:
+    """Repeats within a few rows show less than all rows do: more poses would not change it."""
+    rng = np.random.default_rng(4)
+    walk = np.cumsum(0.01 * rng.standard_normal(50))
+    found = diagnose(robot, visits(tmp_path, robot, np.zeros(5), walk)).answer()
+    assert found.verdict == "adequate"
+    assert "hangs together" in found.summary
+    assert "too few" not in found.summary
+
+
 @pytest.mark.parametrize("column", ["x_mm", "z_mm"])
 def test_one_coordinate_is_read_along_a_line_that_is_found(robot: Robot, tmp_path: Path, column: str) -> None:
     made = cycles(tmp_path, robot, column)

@@ -203,7 +203,7 @@ def test_play_of_less_than_nothing_is_a_direction_that_counts_the_other_way(shop
     _, found, out, _ = diagnose()
     assert not found["effects"]
     size = r"backlash at limb 2 with a width of 0\.0[12]\d* deg, if approach counts the other way here"
-    assert re.match(f"It may be {size}: compare the signs of that column first", found["summary"])
+    assert re.match(f"It may be {size}, or [a-z ]+: compare the signs of that column first", found["summary"])
     assert re.search(size, out)
     assert (found["verdict"], found["laws"]) == ("unexplained", [])
     page = report.diagnosis(read_result(found))
@@ -211,7 +211,7 @@ def test_play_of_less_than_nothing_is_a_direction_that_counts_the_other_way(shop
     steps = page[page.index("What to do") :]
     assert re.search(r"<ol>\s*<li>Compare the signs of the approach columns: it may be " + size, steps)
     [why] = [r["why"] for r in found["rejected"] if r["name"] == "backlash"]
-    assert why.endswith("unless approach counts the other way here")
+    assert "unless approach counts the other way here" in why
 
 
 def test_no_law_stands_for_the_wrong_sign_but_one_of_more_than_the_direction_does() -> None:

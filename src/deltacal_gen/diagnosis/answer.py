@@ -94,8 +94,13 @@ class Diagnosed:
 
     @property
     def short(self) -> bool:
-        """Whether there are too few readings to tell a lesser effect from geometry."""
-        return self.verdict is Verdict.ADEQUATE and not self.heldout[0] <= SHORT * self.noise.sigma
+        """Whether there are too few readings to tell a lesser effect from geometry.
+
+        What a fit leaves of the readings that it saw, such as noise that repeats within a few rows do not show, is no
+        want of readings.
+        """
+        left = max(self.noise.sigma, coordinate_sigma(self.final))
+        return self.verdict is Verdict.ADEQUATE and not self.heldout[0] <= SHORT * left
 
     def answer(self) -> Diagnosis:
         """Return the same as users read it: DIAGNOSIS.json."""

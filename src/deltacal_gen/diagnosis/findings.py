@@ -16,7 +16,7 @@ from deltacal_gen.diagnosis.scattering import scattering
 from deltacal_gen.diagnosis.search import Doubt, Found, Search
 from deltacal_gen.diagnosis.spectrum import Spectrum, wave
 from deltacal_gen.diagnosis.strategy import ALIKE
-from deltacal_gen.diagnosis.structure import Region, Structure, alike
+from deltacal_gen.diagnosis.structure import Region, Structure, alike, returning
 from deltacal_gen.diagnosis.unnamed import shifts
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.machine.places import place_of
@@ -43,6 +43,7 @@ from deltacal_gen.units import joint_names
 # of chi2: two explanations whose expected difference is below 10 are not told apart; the difference found spreads by
 # twice its root, and two such deviations are allowed
 AMBIGUOUS = 10.0 + 4 * 10.0**0.5
+RETURNING = 0.5  # of what is left: what comes back at each visit of a pose, where it is most of it
 WARMED_WITHIN = (0.5, 0.2)  # of a session: times in which a machine that warms up comes near its end
 WARMED = 20.0  # K: by which a machine whose temperature nobody recorded may well differ from its drawing
 
@@ -133,9 +134,13 @@ def _where(
     """Return in words where a misfit sits: the channel that it depends on first, limbs, a region, what wanders."""
     if first is None:
         near, proven = (0.0, 0.0) if explained else alike(at)
+        again, comes = (0.0, 0.0) if explained else returning(at)
         text = (
             f"what is left is alike in neighbouring poses (correlation {near:.2f})"
             if proven > ALIKE
+            else f"what is left comes back at each visit of a pose (correlation {again:.2f}), but from one pose to the "
+            "next it jumps: poses between them would show how"
+            if comes > ALIKE and again > RETURNING
             else f"what is left hangs together over {at.repeats.rows:.0f} rows and depends on nothing that was recorded"
             if at.repeats.rows > 1
             else "what is left depends on nothing that was recorded"

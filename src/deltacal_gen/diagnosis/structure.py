@@ -96,6 +96,24 @@ def alike(at: Fit) -> tuple[float, float]:
     return correlation, correlation * np.sqrt(len(a))
 
 
+def returning(at: Fit) -> tuple[float, float]:
+    """Return how what a fit leaves correlates between visits of a pose, and in how many standard deviations.
+
+    Visits as near to one another as noise hangs together tell nothing.
+    """
+    found = at.problem.readings
+    if found.rows.shape[1] != 1:
+        return 0.0, 0.0
+    visits = [np.flatnonzero(found.group == g) for g in np.unique(found.group)]
+    pairs = np.vstack([np.column_stack([v[: len(v) - len(v) // 2], v[len(v) // 2 :]]) for v in visits])
+    pairs = pairs[np.diff(found.rows[pairs, 0], axis=1)[:, 0] > at.repeats.rows]
+    if len(pairs) < FEWEST_NEIGHBOURS:
+        return 0.0, 0.0
+    z = np.nan_to_num(at.residual / at.sigma)
+    correlation = float(np.sum(z[pairs[:, 0]] * z[pairs[:, 1]]) / max(np.sum(z[pairs] ** 2) / 2, 1e-300))
+    return correlation, correlation * np.sqrt(len(pairs))
+
+
 def smooth_columns(at: Fit, channel: str) -> Array:
     """Return whitened columns (scalars, n) of any smooth dependence on a channel, of the joints and of the reading."""
     smooth = _Smooth(at)

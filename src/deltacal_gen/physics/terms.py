@@ -277,7 +277,7 @@ def row_factors(term: Term, joint_unit: str) -> Array:
     return np.array([[factor for _, _, factor in row] for row in row_coefficients(term, joint_unit)])
 
 
-TURNED = "approach counts the other way here"
+TURNED = "approach counts the other way here, or a controller takes out more than there is"
 
 
 @dataclass(frozen=True)
