@@ -12,6 +12,7 @@ from conftest import Run
 
 import deltacal_gen as dc
 from deltacal_gen.diagnosis.diagnosis import diagnose
+from deltacal_gen.errors import InputError
 from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import Robot, robot_from_dict, robot_to_toml
 from deltacal_gen.identification.identification import identify
@@ -269,3 +270,14 @@ def test_a_profile_may_be_the_instrument_s(robot: Robot, tmp_path: Path) -> None
     (asked,) = (n for n in found.next_measurements if "profile" in n.why)
     assert "the instrument's own non-linearity" in asked.why
     assert "Turn the instrument round" in asked.text
+
+
+def test_a_smaller_model_is_offered_only_where_there_is_one(robot: Robot, tmp_path: Path) -> None:
+    """A chain has one model: what is left to do is to measure more."""
+    made = cycles(tmp_path, robot, "z_mm")
+    few = dataclasses.replace(
+        made.subset(np.arange(4)), measurement=dataclasses.replace(made.measurement, sigma_mm=None)
+    )
+    with pytest.raises(InputError, match="Measure more poses") as refused:
+        identify(robot, few)
+    assert "--model" not in str(refused.value)

@@ -55,7 +55,7 @@ def chosen_model(mechanism: Machine, problem: Problem, recording: Recording, ask
     if problem.readings.kind.sees_joints:
         if asked is not None and mechanism.full_name(asked) != mechanism.rigid_model:
             raise UsageError(f"readings of joints see no source error of {asked}; leave the model out.")
-        _check_count(recording, scalars, 0, extra, mechanism.rigid_model, SPARE_READINGS)
+        _check_count(recording, mechanism, scalars, 0, extra, mechanism.rigid_model, SPARE_READINGS)
         return mechanism.rigid_model
     shown = {mechanism.parameters[p].name for p in problem.readings.kind.carried(mechanism).values()}
     fitting = [m for m in mechanism.models if shown.issuperset(mounts() & set(mechanism.models[m]))]
@@ -63,13 +63,13 @@ def chosen_model(mechanism: Machine, problem: Problem, recording: Recording, ask
     by_size = sorted((m for m in fitting if len(mechanism.models[m]) <= whole), key=lambda m: -len(mechanism.models[m]))
     if asked is not None:
         names, name = mechanism.model(asked), mechanism.full_name(asked)
-        _check_count(recording, scalars, len(names), extra, name, _spare(recording))
+        _check_count(recording, mechanism, scalars, len(names), extra, name, _spare(recording))
         return name
     for name in by_size:
         if once(problem) >= wanted(problem, name):
             return name
     smallest = by_size[-1]
-    _check_count(recording, scalars, len(mechanism.models[smallest]), extra, smallest, _spare(recording))
+    _check_count(recording, mechanism, scalars, len(mechanism.models[smallest]), extra, smallest, _spare(recording))
     return smallest
 
 
@@ -83,7 +83,7 @@ def enough(mechanism: Machine, problem: Problem, recording: Recording) -> None:
     """Raise an InputError where the readings cannot carry the problem's own parameters and the instrument's."""
     extra = problem.begin(problem.reference).n_unknown
     scalars = problem.readings.n_scalars
-    _check_count(recording, scalars, len(problem.names), extra, mechanism.full_model, SPARE_READINGS)
+    _check_count(recording, mechanism, scalars, len(problem.names), extra, mechanism.full_model, SPARE_READINGS)
 
 
 def _spare(recording: Recording) -> int:
@@ -94,7 +94,16 @@ def _spare(recording: Recording) -> int:
     return 0 if recording.measurement.sigma_mm is not None and not kind.rotations else SPARE_READINGS
 
 
-def _check_count(recording: Recording, scalars: int, parameters: int, extra: int, model: str, spare: int) -> None:
+def _more_poses(mechanism: Machine, parameters: int, to: str = "more poses") -> str:
+    """Return what to do where readings do not carry a model: a smaller one is offered where there is one."""
+    smaller = any(len(names) < parameters for names in mechanism.models.values())
+    or_else = ", or choose a smaller model with --model" if smaller else ""
+    return f"Measure {to} (deltacal plan proposes them){or_else}."
+
+
+def _check_count(
+    recording: Recording, mechanism: Machine, scalars: int, parameters: int, extra: int, model: str, spare: int
+) -> None:
     """Raise an InputError where readings are fewer than the unknowns and the `spare` ones that noise shows in."""
     needed = parameters + extra + spare
     if scalars >= needed:
@@ -104,7 +113,7 @@ def _check_count(recording: Recording, scalars: int, parameters: int, extra: int
     raise InputError(
         f"the recording holds {scalars} independent scalar readings; {model} has {parameters} "
         f"parameters{of_instrument}{shows}: {needed} are needed.",
-        "Measure more poses (deltacal plan proposes them) or choose a smaller model with --model.",
+        _more_poses(mechanism, parameters),
         file=recording.path,
     )
 
@@ -135,8 +144,7 @@ def enough_poses(problem: Problem, model: str) -> None:
             f"the readings come from {poses} different poses: {scalars} scalars, each counted once, where {model} has "
             f"{len(problem.names)} parameters{of_instrument}. The recording is too short to split: repeats show noise, "
             "not what is missing.",
-            f"Measure enough different poses for {needed} scalars (deltacal plan proposes them), or choose a smaller "
-            "model with --model.",
+            _more_poses(problem.mechanism, len(problem.names), f"enough different poses for {needed} scalars"),
             file=problem.recording.path,
         )
 
