@@ -268,6 +268,20 @@ def test_a_mistake_in_the_joints_is_named(arm: Robot, words: str) -> None:
         plausible(rough(pose_problem(arm, wrong, ()), must_converge=False))
 
 
+def test_poses_the_other_way_round_are_named(arm: Robot) -> None:
+    """What a camera in the hand tells of a board is where the board is, not where the hand is."""
+    rng = np.random.default_rng(2)
+    poses = dataclasses.replace(wanted(np.zeros((20, 3)), "pose"), joints=wide(rng, 20, 0.8), targets=None)
+    frame = (np.array([0.4, -0.2, 2.0]), np.array([500.0, -80.0, 900.0]))
+    good = simulate(arm, poses, {}, noise_mm=SIGMA, noise_rad=1e-4, rng=rng, frame=frame)
+    plausible(rough(pose_problem(arm, good, ()), must_converge=False))
+    back = np.swapaxes(from_vector(good.measured[:, 3:]), 1, 2)
+    there = -np.einsum("rij,rj->ri", back, good.measured[:, :3])
+    wrong = dataclasses.replace(good, measured=np.hstack([there, -good.measured[:, 3:]]))
+    with pytest.raises(InputError, match=r"agree with it if .*each pose is the inverse"):
+        plausible(rough(pose_problem(arm, wrong, ()), must_converge=False))
+
+
 def test_readings_of_the_next_row_are_named_and_a_coupled_joint_though_the_tool_is_not_said(arm: Robot) -> None:
     good = recorded(arm, wide(np.random.default_rng(2), 120, 1.2), size=0.3)
     wrong = dataclasses.replace(good, measured=np.roll(good.measured, 1, axis=0))

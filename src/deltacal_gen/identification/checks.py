@@ -438,6 +438,13 @@ def _mistakes(problem: Problem) -> Iterator[tuple[str, Problem]]:
     for i, j in itertools.combinations(read, 2):
         swapped = [j if k == i else i if k == j else k for k in range(3)]
         yield f"{axes[i]}_mm and {axes[j]}_mm are exchanged", with_values(found.values[:, swapped])
+    if found.rotations is not None and np.isfinite(found.rotations).all() and len(read) == 3:
+        back = np.swapaxes(found.rotations, 1, 2)
+        inverse = dataclasses.replace(found, values=-(back @ found.values[:, :, None])[:, :, 0], rotations=back)
+        yield (
+            "each pose is the inverse: where a board, or the instrument, is as the platform, or a camera on it, has it",
+            dataclasses.replace(problem, readings=inverse),
+        )
     if len(read) > 1:
         mirrored = np.where(np.arange(3) == read[0], -found.values, found.values)
         yield "the instrument's frame is left-handed (one axis counts the other way)", with_values(mirrored)
