@@ -15,6 +15,7 @@ from tests import independent_delta
 from tests.machines_with_loops import REACH, machine, states
 from tests.test_dynamics import by_differences
 
+QUICK = ("delta", "planar_parallelogram")  # the others' kernels of rates compile for three seconds each
 STENCIL = {1: 4 / 5, 2: -1 / 5, 3: 4 / 105, 4: -1 / 280}  # central differences of eighth order, odd
 
 
@@ -179,7 +180,9 @@ def test_a_pose_out_of_reach_has_no_torque() -> None:
     assert np.isfinite(np.delete(slopes, 2, axis=0)).all()
 
 
-@pytest.mark.parametrize("name", REACH)
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=() if name in QUICK else pytest.mark.thorough) for name in REACH]
+)
 def test_torques_change_with_the_errors_of_the_calibrated_machine_as_derived(name: str) -> None:
     """Against differences of fourth order, error by error."""
     robot = machine(name)
