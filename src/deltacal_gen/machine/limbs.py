@@ -512,7 +512,7 @@ class Limbs(Machine):
         rest = kernels.platform(own, tool, weights, payload, flat[:, self.limbs * each :])
         W_q = np.zeros((len(own), self.limbs))
         for i in range(self.limbs):
-            of_limb = kernels.limb(own, q[:, i], tool, rows[:, i], weights, flat[:, each * i :])
+            of_limb = kernels.limb(own, q[:, i], tool, rows[:, i], weights, flat[:, each * i : each * (i + 1)])
             W_q[:, i] = of_limb[:, 0]
             rest += of_limb[:, 1:]
         return W_q, rest[:, :n_x], rest[:, n_x:]
