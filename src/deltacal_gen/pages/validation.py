@@ -32,14 +32,15 @@ _ISO230 = {
 }
 
 
-def page(found: Validation) -> str:
-    """Return the page of a validation."""
+def page(found: Validation, *, seen: bool = False) -> str:
+    """Return the page of a validation; `seen` readings are those that the calibration was made of."""
     unit, length = shown_in(found)
     return report.page_of(
         "validation",
         title="Validation",
         found=found,
         headline=found.headline,
+        seen=seen,
         unit=unit,
         placed=[p.sentence for p in found.placed or ()],
         norms=norms(found.iso9283, found.iso230),

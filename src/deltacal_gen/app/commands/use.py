@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import hashlib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, cast
 
@@ -341,7 +341,8 @@ def validate(result: Given, recording: AnyRecording, report: Source | None = Non
     if report is not None:
         from deltacal_gen.pages import validation as page
 
-        write_files({Path(report): page.page(found)})
+        inputs, fitted = (of.inputs if of else () for of in (found.made, known.made))
+        write_files({Path(report): page.page(found, seen=_seen(inputs, fitted) is not None)})
     return found
 
 
@@ -439,16 +440,18 @@ def certificate(
 
 def _check_unseen(own: tuple[InputFile, ...], fitted: tuple[InputFile, ...], validation: AnyRecording) -> None:
     """Raise an InputError where the readings are those of the fit."""
-    if not isinstance(validation, str | Path):
-        return
+    if isinstance(validation, str | Path) and (name := _seen(own, fitted)) is not None:
+        raise InputError(
+            f"the calibration was made of these readings ('{name}'), so that they are no check of it.",
+            "Give readings that took no part in it.",
+            file=validation,
+        )
+
+
+def _seen(own: Sequence[InputFile], fitted: Sequence[InputFile]) -> str | None:
+    """Return the name of a file of readings that a fit was made of; None where it saw none of them."""
     hashes = {file.sha256 for file in fitted if file.name.endswith((".csv", ".xlsx", ".parquet"))}
-    for file in own:
-        if file.sha256 in hashes:
-            raise InputError(
-                f"the calibration was made of these readings ('{file.name}'), so that they are no check of it.",
-                "Give readings that took no part in it.",
-                file=validation,
-            )
+    return next((file.name for file in own if file.sha256 in hashes), None)
 
 
 def _number(hashes: list[str]) -> str:
