@@ -21,7 +21,7 @@ from deltacal_gen.physics.terms import Term, blank, kept_term, load_effect
 from deltacal_gen.results.parts import MachineState
 from deltacal_gen.results.reader import read_result
 from deltacal_gen.results.result import Result
-from deltacal_gen.use.prediction import calibrated_robot, place_of, predict, residual, taken_afterwards
+from deltacal_gen.use.prediction import calibrated_robot, place_of, predict, residual, told_of_events
 from deltacal_gen.use.validation import validate
 
 FRAME = (np.array([0.1, -0.2, 0.9]), np.array([900.0, -500.0, 1200.0]))
@@ -232,6 +232,33 @@ def test_a_channel_that_is_not_given_is_asked_for(
         predict(found, dataclasses.replace(fresh, channels=channels))
 
 
+def test_other_rows_of_a_series_stand_before_or_after_a_jump_by_the_numbers_of_their_poses(
+    robot: Robot, truth: dict[str, float], results: dict[str, Result]
+) -> None:
+    """Where poses of both are numbered as they were measured, and none is in both: a series measured anew has them."""
+
+    class Odd(ByRow):
+        poses = (1, 3, 5, 7, 9, 11)
+
+    fresh = measured(robot, truth, "position", scattered(robot, 6, 8))
+    jumped = with_effects(results["position"], effect("zero_jump", 0.1, constants=(3.0,)), kind=Odd)  # before pose 7
+    before = predict(with_effects(results["position"], kind=Odd), fresh).measured
+
+    def moved(*poses: str) -> list[bool]:
+        numbered = dataclasses.replace(fresh, pose=np.array(poses))
+        return (np.abs(predict(jumped, numbered).measured - before).max(axis=1) > 0.01).tolist()
+
+    assert moved("2", "4", "4", "8", "10", "12") == [False] * 3 + [True] * 3
+    assert moved("12", "13", "14", "15", "16", "17") == [True] * 6
+    assert not any(moved("0", "0", "0", "0", "0", "0"))
+    assert all(moved("1", "2", "4", "6", "8", "10"))  # the series anew
+    assert all(moved("4", "2", "6", "8", "10", "12"))  # not as measured
+    assert all(moved("a", "b", "c", "d", "e", "f"))
+    assert "by the numbers of their poses" in str(
+        told_of_events(jumped, dataclasses.replace(fresh, pose=np.array(["2", "4", "6", "8", "10", "12"])))
+    )
+
+
 def test_a_jump_that_was_found_by_its_row_is_past(
     robot: Robot, truth: dict[str, float], results: dict[str, Result]
 ) -> None:
@@ -243,7 +270,7 @@ def test_a_jump_that_was_found_by_its_row_is_past(
     assert np.abs(after - before).max() > 0.3
     by_row, by_time = with_effects(results["position"], jump, kind=ByRow), with_effects(results["position"], jump)
     untimed = dataclasses.replace(fresh, channels={})
-    assert "after the zero_jump that was found: the recording that was" in str(taken_afterwards(by_row, fresh))
-    assert "after the zero_jump that was found: the readings had no time_s" in str(taken_afterwards(by_time, untimed))
-    assert taken_afterwards(by_time, fresh) is None
-    assert taken_afterwards(results["position"], untimed) is None
+    assert "after the zero_jump that was found: the recording that was" in str(told_of_events(by_row, fresh))
+    assert "after the zero_jump that was found: the readings had no time_s" in str(told_of_events(by_time, untimed))
+    assert told_of_events(by_time, fresh) is None
+    assert told_of_events(results["position"], untimed) is None

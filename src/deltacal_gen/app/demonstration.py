@@ -52,7 +52,7 @@ def run(folder: Path, progress: Callable[[str], None]) -> Demo:
     progress("compensator")
     machine = calibrated_robot(found)
     write_files({files["calibrated.toml"]: robot_to_toml(machine)})
-    compensator = Compensator(machine, terms=tuple(known_effects(found, timed=True)))
+    compensator = Compensator(machine, terms=tuple(known_effects(found)))
     exports.export_c(compensator, files["command.c"], spans.spans(found))
     progress("check against the truth")
     truth = read_truth(source / "truth.toml", robot)

@@ -143,6 +143,7 @@ def result_of(found: Diagnosed) -> Diagnosis:
         physics=tuple(map(kept_term, final.problem.acting(final.errors))),
         seen=None if found.spectrum is None else _seen(found.spectrum),
         clock=clock,
+        poses=_numbers(found) if clock == "row" else None,
         instrument=_instrument(found, final.instrument),
         robot=kept_robot(found.robot),
         uncertainty=uncertainty_of(final, found.noise),
@@ -152,6 +153,13 @@ def result_of(found: Diagnosed) -> Diagnosis:
         turned=found.turned or None,
         laws=told(found.laws, final),
     )
+
+
+def _numbers(found: Diagnosed) -> tuple[int, ...] | None:
+    """Return the numbers of the poses, by which events are placed in other rows of the series; None for no event."""
+    final, numbers = found.final, found.final.problem.recording.numbers
+    happened = any(t != t.afterwards() for t in final.problem.acting(final.errors))
+    return tuple(numbers.tolist()) if happened and numbers is not None else None
 
 
 def _doubts(found: Diagnosed) -> list[str]:

@@ -391,6 +391,14 @@ class Recording:
         return self.channels.get(TIME)
 
     @property
+    def numbers(self) -> np.ndarray | None:
+        """(N,) numbers of the poses, where they are numbered in the order in which they were measured; else None."""
+        if not np.char.isdigit(self.pose).all():
+            return None
+        found = self.pose.astype(np.int64)
+        return found if (np.diff(found) >= 0).all() else None
+
+    @property
     def begins_anew(self) -> bool:
         """Whether time begins anew with some run, so that two runs stand at one time."""
         time, run = self.time_s, self.channels.get("run")

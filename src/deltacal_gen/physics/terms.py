@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
@@ -201,6 +201,12 @@ class Term:
         """Return the effect as it acts after the recording in which it was found: a jump is past."""
         past, names = self.kernels.AFTERWARDS, [key for key, *_ in self.kernels.CONSTANTS]
         constants = tuple(past.get(key, value) for key, value in zip(names, self.constants, strict=True))
+        return dataclasses.replace(self, constants=constants)
+
+    def counted(self, anew: Callable[[float], float]) -> Term:
+        """Return the effect with the moments at which it happens once counted anew, as on another clock."""
+        once, names = self.kernels.AFTERWARDS, [key for key, *_ in self.kernels.CONSTANTS]
+        constants = tuple(anew(float(c)) if key in once else c for key, c in zip(names, self.constants, strict=True))
         return dataclasses.replace(self, constants=constants)
 
 

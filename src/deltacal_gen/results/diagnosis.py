@@ -384,6 +384,8 @@ class Diagnosis(Answer):
     seen: Seen | None
     clock: Literal["time_s", "row"]
     """By what a moment was found: the time, or the row."""
+    poses: tuple[int, ...] | None = None
+    """Numbers of the poses, row by row, where a moment was found by its row and poses are numbered as measured."""
     instrument: InstrumentState
     robot: RobotTables
     """The calibrated machine."""

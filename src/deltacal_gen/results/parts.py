@@ -87,6 +87,7 @@ class MachineState(Value):
     # what only a diagnosis knows, for those who read either
     correction: ClassVar[None] = None
     clock: ClassVar[Literal["time_s", "row"]] = "time_s"
+    poses: ClassVar[None] = None
 
 
 class Missing(Value):

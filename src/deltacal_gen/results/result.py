@@ -224,6 +224,7 @@ class Result(Answer):
     correction: ClassVar[None] = None
     seen: ClassVar[None] = None
     clock: ClassVar[Literal["time_s", "row"]] = "time_s"
+    poses: ClassVar[None] = None
 
     @property
     def headline(self) -> str:

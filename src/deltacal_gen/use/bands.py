@@ -238,7 +238,7 @@ def _linear(
         body = problem.body
         problem = dataclasses.replace(
             problem,
-            held=tuple(known_effects(result, timed=True)),
+            held=tuple(known_effects(result)),
             body=Body(robot, problem.mechanism, body.q, body.tool, channels),
         )
     count, terms = 0, list[Term]()

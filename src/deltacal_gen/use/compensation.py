@@ -119,7 +119,7 @@ class Compensator:
             from deltacal_gen.use.prediction import calibrated_robot, known_effects  # the fit's own modules: not always
 
             known = robot
-            robot, terms = calibrated_robot(known), terms or known_effects(known, timed=True)
+            robot, terms = calibrated_robot(known), terms or known_effects(known)
         if kind not in (known_kinds := [*CompensatorKind]):
             raise UsageError(f"there is no compensator '{kind}'; there are {' and '.join(known_kinds)}.")
         for name, value in (("robot", robot), ("kind", CompensatorKind(kind)), ("terms", terms)):

@@ -60,31 +60,56 @@ def calibrated_robot(result: Known) -> Robot:
     return robot_of(result.robot)
 
 
-def known_effects(result: Known, *, timed: bool) -> list[Term]:
+def known_effects(result: Known, recording: Recording | None = None) -> list[Term]:
     """Return the effects that a result knows as they act on other readings.
+
+    A jump that was found by its row is past, unless the numbers of the poses tell which rows it lies between; and so is
+    one that was found by its time, where the other readings have none.
 
     Parameters
     ----------
-    timed : bool
-        Whether the other readings tell their time. Without it, and where a jump was found by its row, they come after
-        all rows that the jump was found in.
+    recording : Recording, optional
+        The other readings; None for a machine whose channels tell the time.
     """
     held = [term_of(t) for t in result.physics or ()]
-    if result.clock == "row" or not timed:
+    if recording is not None and (among := _rows_among(result, recording)) is not None:
+        rows, none = np.arange(len(among)), len(among)
+        return [t.counted(lambda when: float(np.interp(when, among, rows, left=-1, right=none))) for t in held]
+    if result.clock == "row" or (recording is not None and recording.time_s is None):
         held = [t.afterwards() for t in held]
     return held
 
 
-def taken_afterwards(result: Known, recording: Recording) -> str | None:
-    """Return in words which events readings are taken to come after, as nobody knows when they were; None for none."""
+def _events(result: Known) -> list[str]:
     held = (term_of(t) for t in result.physics or ())
-    events = [t.effect for t in held if t.afterwards().constants != t.constants]
+    return list(dict.fromkeys(t.effect for t in held if t != t.afterwards()))
+
+
+def _rows_among(result: Known, recording: Recording) -> Array | None:
+    """Return where the rows (N,) of a recording stand among those of the recording that was diagnosed.
+
+    That is told by the numbers of their poses where these never fall from row to row and no number is in both: parts of
+    one series keep their numbers, a series that was measured anew has the same ones again. None where nothing tells it.
+    """
+    if result.poses is None or (numbers := recording.numbers) is None or np.isin(numbers, result.poses).any():
+        return None
+    return np.asarray(np.searchsorted(result.poses, numbers) - 0.5, dtype=float)
+
+
+def told_of_events(result: Known, recording: Recording) -> str | None:
+    """Return in words how readings are placed before or after events, where no time tells it; None where one does."""
+    events = ", ".join(_events(result))
     if not events or (result.clock != "row" and recording.time_s is not None):
         return None
+    if _rows_among(result, recording) is not None:
+        return (
+            f"rows are taken as before or after the {events} by the numbers of their poses, which stand between those "
+            "of the recording that was diagnosed"
+        )
     lacking = "the readings" if result.clock != "row" else "the recording that was diagnosed"
     return (
-        f"taken as after the {', '.join(dict.fromkeys(events))} that was found: {lacking} had no time_s, by which "
-        "readings before it would be told from those behind"
+        f"taken as after the {events} that was found: {lacking} had no time_s, by which readings before it would be "
+        "told from those behind"
     )
 
 
@@ -238,7 +263,7 @@ def prediction_problem(
     """
     found = kind_of(recording.kind).unread(recording) if found is None else found
     found, instrument = _instrument(result, robot, recording, found, place)
-    held = known_effects(result, timed=recording.time_s is not None)
+    held = known_effects(result, recording)
     problem = pose_problem(robot, recording, (), found=found, held=held)
     for term in held:
         if why := problem.body.missing(term):
@@ -257,7 +282,7 @@ def has_law(result: Known) -> bool:
 
 def beyond_laws(result: Known, recording: Recording) -> np.ndarray:
     """Return which rows (N,) of a recording lie outside the range in which a law of a result was found."""
-    held = known_effects(result, timed=recording.time_s is not None)
+    held = known_effects(result, recording)
     if not has_law(result):
         return np.zeros(recording.n_rows, dtype=bool)
     unread = kind_of(recording.kind).unread(recording)
@@ -305,7 +330,7 @@ def _instrument(
     """Return the readings, their set-ups counted as the instrument's rows, and the instrument that reads them."""
 
     def poses() -> Array:
-        held = known_effects(result, timed=recording.time_s is not None)
+        held = known_effects(result, recording)
         problem = pose_problem(robot, recording, (), found=found, held=held)
         return problem.poses(problem.reference)
 
@@ -365,7 +390,7 @@ def _placed(result: Known, robot: Robot, place: Place, anew: frozenset[str]) -> 
                 column="setup",
             )
     recording = dataclasses.replace(recording, setup=np.maximum(code[recording.setup], 0), setup_names=tuple(names))
-    held = known_effects(result, timed=recording.time_s is not None)
+    held = known_effects(result, recording)
     problem = pose_problem(robot, recording, (), found=found, held=held)
     machine = problem.solve(problem.reference)
     start = problem.begin(problem.reference, machine)

@@ -78,7 +78,7 @@ def identify(
         return cast("Result", _finished(moving.identify(as_robot(robot), model), output, report, robot, recording))
     diagnosis, files = None if physics is None else known_diagnosis(physics), (robot, recording, physics)
     robot = as_robot(robot)
-    held = [] if diagnosis is None else known_effects(diagnosis, timed=True)
+    held = [] if diagnosis is None else known_effects(diagnosis)
     given, clock = set_in_time(robot, recording, model, held=held, progress=progress)
     fitted = identification.identify(
         robot,
@@ -88,7 +88,7 @@ def identify(
         solver=solver,
         truncation=truncation,
         robust=robust,
-        held=[] if diagnosis is None else known_effects(diagnosis, timed=given.time_s is not None),
+        held=held if given.time_s is not None else [t.afterwards() for t in held],
         machine=None if diagnosis is None else calibrated_robot(diagnosis),
         progress=progress,
     )
@@ -190,7 +190,7 @@ def diagnose(
     given, clock = set_in_time(robot, recording, name, doubtful=True, progress=progress)
     found = diagnosis.diagnose(robot, given, name, progress=progress).answer()
     if clock is not None and found.physics:  # what bends the machine may have moved the clock, and the other way round
-        held = known_effects(found, timed=True)
+        held = known_effects(found)
         given, clock = set_in_time(robot, recording, name, held=held, start=clock, doubtful=True, progress=progress)
         found = diagnosis.diagnose(robot, given, name, progress=progress).answer()
     found = with_clock(found, clock).replace(made=made(*files, measured=given))

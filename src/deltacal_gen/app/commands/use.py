@@ -93,7 +93,7 @@ def compensate(
         return _exported(result, export, output, kind, worst_mm, tell)
     known = known_result(result)
     robot = prediction.calibrated_robot(known)
-    compensator = compensation.Compensator(robot, kind, prediction.known_effects(known, timed=True))
+    compensator = compensation.Compensator(robot, kind, prediction.known_effects(known))
     if targets is None:
         raise UsageError("give the targets: a CSV with x_mm, y_mm, z_mm.")
     if isinstance(targets, str | Path):
@@ -129,7 +129,7 @@ def _exported(result: Given, export: str, output: Source | None, kind: str, wors
         firmware_lines(known, export, _written_to(output), tell=tell)
         return np.zeros((0, 3))
     robot = prediction.calibrated_robot(known)
-    compensator = compensation.Compensator(robot, kind, prediction.known_effects(known, timed=True))
+    compensator = compensation.Compensator(robot, kind, prediction.known_effects(known))
     over = spans.spans(known)
     writers = {
         "c": lambda path: exports.export_c(compensator, path, over),
@@ -223,7 +223,7 @@ def firmware_lines(result: Given, kind: str, output: Source | None = None, *, te
     check_output(output, result)
     known = known_result(result)
     robot = prediction.calibrated_robot(known)
-    physics = [t.effect for t in prediction.known_effects(known, timed=True)]
+    physics = [t.effect for t in prediction.known_effects(known)]
     if isinstance(known, Result):
         found = firmware.lines_of(known, robot, kind, physics)
     else:
@@ -278,7 +278,7 @@ def predict(
     for joint in spectrum.never_seen(known.seen, robot.joint_sign * given.joints):
         tell(spectrum.words(joint))
     done = prediction.predict(known, given, placed)
-    for words in (prediction.taken_afterwards(known, given), in_words(prediction.beyond_laws(known, given), "rows")):
+    for words in (prediction.told_of_events(known, given), in_words(prediction.beyond_laws(known, given), "rows")):
         if words is not None:
             tell(words)
     ends: dict[str, Array] = {}
