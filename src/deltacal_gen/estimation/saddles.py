@@ -2,13 +2,13 @@
 
 A step takes the machine for linear. Where the readings do not see a parameter at all to first order (a twist that
 tilts a rod either way, a vertical axis whose compliance no weight loads) nothing pulls, and the fit ends there, though
-the objective falls to both sides. How it bends is seen in its gradient a little beside the fit. Where that is what the
-linear machine says nothing more is asked; elsewhere the direction that bends down most is sought (Lanczos 1950).
+the objective falls to both sides. How it bends is seen in its gradient a little beside the fit. What the linear machine
+says of that is known without it: where there is little else nothing more is asked; elsewhere few directions hold the
+rest, whose lowest curvature is sought (Lanczos 1950), and the direction that bends down most under both.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -23,7 +23,8 @@ if TYPE_CHECKING:
 
 ASIDE = 0.02  # standard deviations beforehand: how far beside a fit its gradient is taken
 LINEAR = 0.02  # of a gradient's change: where less of it is not the linear machine's, nothing is asked further
-LOOKS = 8  # directions that are looked at
+LOOKS = 8  # directions that are looked at, at most
+SETTLED = 0.1  # in units of the prior's own: how surely the lowest curvature is known where no more are
 DOWN = -0.05  # in units of the prior's own: a curvature that is below it leads away
 GOLDEN = (5**0.5 - 1) / 2  # parts of one that its multiples leave are spread evenly
 BEGUN = 0.5  # standard deviations beforehand: where steps begin
@@ -33,11 +34,8 @@ def away(found: Fit) -> list[State]:
     """Return states on both sides of a fit from which steps lead away from it; none where it is no saddle."""
     at, n = found.solution, len(found.problem.scale)
     strong = at.V[:, at.factors > SEEN]
-
-    def unseen(z: Array) -> Array:
-        return np.asarray(z - strong @ (strong.T @ z))
-
-    v = unseen(np.mod(GOLDEN * np.arange(1.0, 1.0 + n), 1.0) - 0.5)  # some of every direction
+    unseen = np.linalg.qr(strong, mode="complete")[0][:, strong.shape[1] :]
+    v = unseen.T @ (np.mod(GOLDEN * np.arange(1.0, 1.0 + n), 1.0) - 0.5)  # some of every direction
     if np.linalg.norm(v) < ASIDE:
         return []
     try:
@@ -48,25 +46,37 @@ def away(found: Fit) -> list[State]:
         return []  # no machine stands there
 
 
-def _most_down(beside: _Beside, unseen: Callable[[Array], Array], v: Array) -> Array | None:
-    """Return the direction (n,) of unit length that bends down most; None where none does."""
+def _most_down(beside: _Beside, unseen: Array, v: Array) -> Array | None:
+    """Return the direction (n,) of unit length that bends down most; None where none does.
+
+    Parameters
+    ----------
+    unseen : (n, m) array
+        Orthonormal: all that readings do not see.
+    v : (m,) array
+        Where the search begins.
+    """
+    seen = beside.A @ unseen
+    linear = seen.T @ seen + np.eye(len(v))
     basis: list[Array] = [v]
-    bent: list[Array] = []
+    bent: list[Array] = []  # beyond what the linear machine does
     for k in range(LOOKS):
-        h = unseen(beside.gradient(ASIDE * basis[k]) - beside.here) / ASIDE
-        linear = unseen(beside.A.T @ (beside.A @ basis[k])) + basis[k]
-        if k == 0 and np.linalg.norm(h - linear) < LINEAR * np.linalg.norm(linear):
+        h = unseen.T @ (beside.gradient(ASIDE * (unseen @ basis[k])) - beside.here) / ASIDE
+        expected = linear @ basis[k]
+        bent.append(h - expected)
+        if k == 0 and np.linalg.norm(bent[0]) < LINEAR * np.linalg.norm(expected):
             return None
-        bent.append(h)
         Q = np.array(basis).T
-        rest = h - Q @ (Q.T @ h)
-        if np.linalg.norm(rest) < LINEAR:
+        H = Q.T @ np.array(bent).T
+        H = (H + H.T) / 2
+        _, vectors = np.linalg.eigh(H)
+        rest = bent[k] - Q @ (Q.T @ bent[k])
+        size = np.linalg.norm(rest)
+        if size < LINEAR or (k > 0 and size * abs(vectors[-1, 0]) < SETTLED):
             break
-        basis.append(rest / np.linalg.norm(rest))
-    Q = np.array(basis[: len(bent)]).T
-    H = Q.T @ np.array(bent).T
-    values, vectors = np.linalg.eigh((H + H.T) / 2)
-    return None if values[0] > DOWN else np.asarray(Q @ vectors[:, 0])
+        basis.append(rest / size)
+    values, vectors = np.linalg.eigh(linear + Q @ H @ Q.T)
+    return None if values[0] > DOWN else np.asarray(unseen @ vectors[:, 0])
 
 
 class _Beside:
