@@ -14,14 +14,16 @@ from deltacal_gen.diagnosis.correction import Smooth, borne_out_beside
 from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.diagnosis.laws.laws import Sought
 from deltacal_gen.diagnosis.structure import Structure
-from deltacal_gen.files.robot import Robot
+from deltacal_gen.files.robot import Robot, robot_from_dict
 from deltacal_gen.identification.accuracy import volumetric_error
+from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.units import DEG
 from deltacal_gen.use.prediction import CORRECTED
 from tests.conftest import plausible
 from tests.left_out import DELTA, FRAME, SIGMA, channels, diagnosis, machine, record
+from tests.test_linear_delta import PRINTER, grid, recording
 
 POSES = 140
 LIMB = 1  # the second
@@ -49,6 +51,12 @@ def dented(robot: Robot, seed: int, sigma: float = SIGMA) -> Recording:
 @pytest.fixture(scope="module")
 def robot() -> Robot:
     return machine()
+
+
+@pytest.fixture
+def no_laws(monkeypatch: pytest.MonkeyPatch) -> None:
+    """None is sought, which would explain a misfit before any correction does."""
+    monkeypatch.setattr("deltacal_gen.diagnosis.diagnosis.laws", lambda found, progress, doubted=False: Sought())
 
 
 @pytest.fixture(scope="module")
@@ -146,3 +154,24 @@ def test_commands_undo_the_correction_too(robot: Robot, humid: dict[str, Any]) -
     assert not any("smooth correction" in words for words in said)
     dc.compensate(humid, targets[:2], channels={"humidity": np.array([1e4, 1e4])}, tell=said.append)
     assert "2 of 2 targets lie outside" in said[-1]
+
+
+def probed(printer: Robot, targets: Array, sigma: float = 0.0) -> Recording:
+    """Return probed heights of a bed with a dent of 0.25 mm."""
+    read = simulate(printer, recording(printer, targets), {"endstop_1": 0.2, "radius_2": -0.3, "arm_3": 0.15})
+    dent = 0.25 * np.exp(-0.5 * np.sum(((targets[:, :2] - [35.0, 20.0]) / 22.0) ** 2, axis=1))
+    noise = sigma * np.random.default_rng(1).standard_normal(read.measured.shape)
+    return dataclasses.replace(read, measured=read.measured + dent[:, None] + noise)
+
+
+@pytest.mark.usefixtures("no_laws")
+def test_heights_are_predicted_as_the_page_says() -> None:
+    """On the readings themselves and between them; ten times off, once."""
+    printer = robot_from_dict(PRINTER)
+    read, between = probed(printer, grid(step=10.0), 0.005), probed(printer, grid(radius=95.0, step=9.3))
+    found: dict[str, Any] = json.loads(diagnose(printer, read).answer().to_json())
+    told = found["correction"]["heldout_rms_mm"]
+    assert told["before"] > 0.02
+    assert told["after"] < 0.008
+    assert error(found, read) < 1.1 * told["after"]
+    assert error(found, between) < 1.1 * told["after"]

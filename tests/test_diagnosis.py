@@ -11,6 +11,7 @@ import pytest
 
 import deltacal_gen as dc
 from deltacal_gen.diagnosis import answer
+from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.diagnosis.findings import Named
 from deltacal_gen.diagnosis.search import Found
 from deltacal_gen.diagnosis.strategy import _first as next_of
@@ -181,6 +182,17 @@ def test_play_that_varies_over_the_angle_is_placed_at_its_joint(robot: Robot) ->
     assert {"approach", "q"} <= set(found["laws"][0]["states"])
     assert found["location"]["channels"][0]["name"] == "approach2"
     assert found["location"]["limbs"] == [2]
+
+
+def test_what_predicts_far_worse_than_it_fits_is_told_so(robot: Robot, loose_recording: Recording) -> None:
+    """A law of few readings may leave noise where it was fitted, and three times that elsewhere."""
+    found = diagnose(robot, loose_recording)
+    assert "mm are left: that is noise" in found.answer().summary
+    before, after = found.heldout
+    far = dataclasses.replace(found, heldout=(10 * before, 3 * after))
+    told = f"held-out readings {3 * after:.4f} mm are left: it is there, but more poses would tell it better."
+    assert f"With it {found.final.rms():.4f} mm are left of the readings that it was fitted to" in far.answer().summary
+    assert told in far.answer().summary
 
 
 @pytest.mark.parametrize(("better", "borne_out"), [(0.9, True), (1.0, False), (1.1, False)])

@@ -99,8 +99,17 @@ class Diagnosed:
         What a fit leaves of the readings that it saw, such as noise that repeats within a few rows do not show, is no
         want of readings.
         """
-        left = max(self.noise.sigma, coordinate_sigma(self.final))
-        return self.verdict is Verdict.ADEQUATE and not self.heldout[0] <= SHORT * left
+        return self.verdict is Verdict.ADEQUATE and not self.heldout[0] <= SHORT * self._left
+
+    @property
+    def unsure(self) -> bool:
+        """Whether what was found predicts held-out readings far worse than those that it was fitted to."""
+        return self.heldout[1] > SHORT * self._left
+
+    @property
+    def _left(self) -> float:
+        """The noise of a coordinate [mm], known or as the fit leaves it."""
+        return max(self.noise.sigma, coordinate_sigma(self.final))
 
     def answer(self) -> Diagnosis:
         """Return the same as users read it: DIAGNOSIS.json."""
@@ -293,7 +302,7 @@ def _seen(spectrum: Spectrum) -> Seen:
 
 
 def _summary(found: Diagnosed) -> str:
-    before, after = found.heldout
+    before, _ = found.heldout
     if found.lean:
         scalars, count = found.final.problem.readings.n_scalars, len(found.final.problem.names)
         return (
@@ -327,13 +336,24 @@ def _summary(found: Diagnosed) -> str:
     if found.verdict is Verdict.MISSING_PHYSICS:
         return (
             f"{turned}Geometry alone leaves {before:.4f} mm on held-out readings. What is missing: {'; '.join(parts)}. "
-            f"With it {after:.4f} mm are left: that {_as_noise(found)}.{_alike(found.effects)}{_hinted(found)}"
+            f"{_left_by(found)}{_alike(found.effects)}{_hinted(found)}"
         )
     named = f" Proven beside it: {'; '.join(parts)}." if parts else ""
     mismatch = "As recorded, a mismatch" if turned else "A mismatch"
     return (
         f"{turned}{mismatch} of {found.final.rms():.4f} mm is left that no registered effect explains: "
         f"{found.location.text}.{named}{_hinted(found)} {_corrected(found)}"
+    )
+
+
+def _left_by(found: Diagnosed) -> str:
+    """Return what is left with all that was found, and whether that is noise on held-out readings, too."""
+    after = found.heldout[1]
+    if not found.unsure:
+        return f"With it {after:.4f} mm are left: that {_as_noise(found)}."
+    return (
+        f"With it {found.final.rms():.4f} mm are left of the readings that it was fitted to: that {_as_noise(found)}. "
+        f"Of held-out readings {after:.4f} mm are left: it is there, but more poses would tell it better."
     )
 
 
