@@ -152,6 +152,7 @@ def result_of(found: Diagnosed) -> Diagnosis:
         physics=tuple(map(kept_term, final.problem.acting(final.errors))),
         seen=None if found.spectrum is None else _seen(found.spectrum),
         clock=clock,
+        begun_s=final.problem.body.channels.begun,
         poses=_numbers(found) if clock == "row" else None,
         instrument=_instrument(found, final.instrument),
         robot=kept_robot(found.robot),

@@ -323,7 +323,7 @@ def pose_problem(
             "Add the machine's dimensions from its drawing; readings of joints do without.",
             file=robot.source,
         )
-    recording = with_motion(recording)
+    recording = dataclasses.replace(with_motion(recording), begun=recording.origin)  # so of rows that come after it
     tool = measured_points(robot, recording)
     q = robot.joint_sign * recording.joints
     return Problem(

@@ -182,6 +182,7 @@ def result_of(found: Identification) -> Result:
         iterations=len(final.history),
         physics=tuple(map(kept_term, problem.held)),
         physics_not_held=found.not_held,
+        begun_s=problem.body.channels.begun,
         instrument=final.instrument.kept(recording.setup_names, recording.measurement.zero, recording.columns),
         robot=kept_robot(found.robot),
         uncertainty=found.uncertainty,

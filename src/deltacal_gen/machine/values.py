@@ -27,6 +27,7 @@ POSITION = ("x_mm", "y_mm", "z_mm")
 TOOL_ERRORS = ("tx", "ty", "tz")  # of a chain; platforms have theirs known
 ROTATION = ("rx_deg", "ry_deg", "rz_deg")
 UNKNOWN = math.nan  # what is to be found
+LONG_BEFORE = 10.0  # times a recording's own length: stamps that begin so late count from another day
 
 
 def numbered(rows: np.ndarray) -> np.ndarray:
@@ -343,6 +344,8 @@ class Recording:
         Rows between whose points a distance was measured, the distance [mm], its line in the file.
     doubts : dict of str
         Channels that were set aside, and why.
+    begun : float, optional
+        From when effects count the time [s], of another recording that this one is held against; its own: `origin`.
     """
 
     path: Path | str
@@ -365,6 +368,7 @@ class Recording:
     pair_measured: np.ndarray | None = None
     pair_line: np.ndarray | None = None
     doubts: dict[str, str] = dataclasses.field(default_factory=dict)
+    begun: float | None = None
 
     def __repr__(self) -> str:
         readings = self.n_rows if self.pairs is None else len(self.pairs)
@@ -389,6 +393,18 @@ class Recording:
     def time_s(self) -> np.ndarray | None:
         """(N,) time [s], or None."""
         return self.channels.get(TIME)
+
+    @property
+    def origin(self) -> float:
+        """From when effects count the time [s]: 0, or the first reading where stamps count from long before it.
+
+        A drift that had gone on since 1970 would be nothing but where everything stands.
+        """
+        time = self.time_s
+        if self.begun is not None or time is None or not np.isfinite(time).any():
+            return self.begun or 0.0
+        first, last = float(np.nanmin(time)), float(np.nanmax(time))
+        return first if first > LONG_BEFORE * (last - first) else 0.0
 
     @property
     def numbers(self) -> np.ndarray | None:

@@ -185,7 +185,7 @@ class Body:
         own = {s.base for s in wanted}
         for s in wanted:
             if s.kind == "channel":
-                found[s.base] = self.channels.get(s.base)
+                found[s.base] = self.channels.passed(s)
             elif s.kind == "geometry" and s.base in self.roles:
                 found[s.base] = np.broadcast_to(self.roles[s.base], self.q.shape)
         if "q" in own:

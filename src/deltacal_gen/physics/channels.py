@@ -31,11 +31,14 @@ class Channels:
         The place of each row where there is no time.
     run : (N,) array of int, optional
         Which rows are one uninterrupted movement: the column ``run``, or a set-up; None: all.
+    begun : float
+        From when effects count the time [s]; see `Recording.origin`.
     """
 
     values: Mapping[str, Array]
     order: Array
     run: np.ndarray | None = None
+    begun: float = 0.0
 
     def get(self, name: str) -> Array | None:
         """Return a channel, None where the recording says nothing of it; one that is optional is then nowhere."""
@@ -43,6 +46,11 @@ class Channels:
         if found is None and states.named(name).optional:
             return np.zeros(len(self.order))
         return found
+
+    def passed(self, state: State) -> Array | None:
+        """Return a channel as effects read it: the time since the recording began, all others as they are."""
+        found = self.get(state.base)
+        return found - self.begun if state.passes and found is not None and self.begun else found
 
     @property
     def payload(self) -> Array:
@@ -60,7 +68,7 @@ class Channels:
     def subset(self, rows: np.ndarray) -> Channels:
         """Return the channels at these rows."""
         run = None if self.run is None else self.run[rows]
-        return Channels({name: v[rows] for name, v in self.values.items()}, self.order[rows], run)
+        return Channels({name: v[rows] for name, v in self.values.items()}, self.order[rows], run, self.begun)
 
     def with_values(self, **values: Array) -> Channels:
         """Return the channels with others, or other ones."""
@@ -71,7 +79,8 @@ class Channels:
         """Read the channels of a recording; joint channels are turned as the geometry counts."""
         found = Channels.from_columns(recording.channels, recording.joints.shape, robot, recording.joint_unit)
         label = found.values.get("run", np.zeros(len(recording.joints)))
-        return dataclasses.replace(found, run=numbered(np.column_stack([recording.setup, label])))
+        run = numbered(np.column_stack([recording.setup, label]))
+        return dataclasses.replace(found, run=run, begun=recording.origin)
 
     @staticmethod
     def from_columns(

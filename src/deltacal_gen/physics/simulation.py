@@ -200,7 +200,7 @@ def simulate(
         theta, status = nominal_joints(robot, poses.targets, tool)
         _all_solved(poses, status, "the target cannot be commanded")
         joints = robot.joint_sign * theta
-    commanded = with_motion(dataclasses.replace(poses, joints=joints))
+    commanded = with_motion(dataclasses.replace(poses, joints=joints, begun=0.0))  # a truth counts as its poses do
     body = Body(robot, mechanism, robot.joint_sign * joints, np.ascontiguousarray(tool), Channels.of(commanded, robot))
     for term in terms:
         if why := body.missing(term):

@@ -386,6 +386,8 @@ class Diagnosis(Answer):
     """By what a moment was found: the time, or the row."""
     poses: tuple[int, ...] | None = None
     """Numbers of the poses, row by row, where a moment was found by its row and poses are numbered as measured."""
+    begun_s: float = 0.0
+    """From when effects count the time [s]: 0, or the first reading where stamps count from long before it."""
     instrument: InstrumentState
     robot: RobotTables
     """The calibrated machine."""

@@ -88,6 +88,7 @@ class MachineState(Value):
     correction: ClassVar[None] = None
     clock: ClassVar[Literal["time_s", "row"]] = "time_s"
     poses: ClassVar[None] = None
+    begun_s: ClassVar[float] = 0.0
 
 
 class Missing(Value):

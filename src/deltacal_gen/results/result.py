@@ -218,6 +218,8 @@ class Result(Answer):
     """Of a recording with two clocks."""
     doubts: tuple[str, ...] | None = None
     """Why the readings may be of another machine than the robot file's."""
+    begun_s: float = 0.0
+    """From when effects count the time [s]: 0, or the first reading where stamps count from long before it."""
     made: Made | None = None
 
     # what only a diagnosis knows, for those who read either

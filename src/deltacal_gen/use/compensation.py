@@ -103,6 +103,8 @@ class Compensator:
         (its first group), eq. (23) is eq. (25).
     terms : sequence of Term
         Effects that a diagnosis found. Those of the instrument are no matter of the machine: see `effects`.
+    begun : float
+        From when these count the time [s]; see `Recording.origin`.
 
     Raises
     ------
@@ -113,16 +115,19 @@ class Compensator:
     robot: Robot
     kind: CompensatorKind = CompensatorKind.EXACT
     terms: Sequence[Term] = ()
+    begun: float = 0.0
 
-    def __init__(self, robot: Robot | Result | Diagnosis, kind: str = "exact", terms: Sequence[Term] = ()) -> None:
+    def __init__(
+        self, robot: Robot | Result | Diagnosis, kind: str = "exact", terms: Sequence[Term] = (), begun: float = 0.0
+    ) -> None:
         if not isinstance(robot, Robot):
             from deltacal_gen.use.prediction import calibrated_robot, known_effects  # the fit's own modules: not always
 
             known = robot
-            robot, terms = calibrated_robot(known), terms or known_effects(known)
+            robot, terms, begun = calibrated_robot(known), terms or known_effects(known), known.begun_s
         if kind not in (known_kinds := [*CompensatorKind]):
             raise UsageError(f"there is no compensator '{kind}'; there are {' and '.join(known_kinds)}.")
-        for name, value in (("robot", robot), ("kind", CompensatorKind(kind)), ("terms", terms)):
+        for name, value in (("robot", robot), ("kind", CompensatorKind(kind)), ("terms", terms), ("begun", begun)):
             object.__setattr__(self, name, value)
         if self.kind is CompensatorKind.LINEAR and self.effects:
             named = ", ".join(t.effect for t in self.effects)
@@ -253,6 +258,8 @@ class Compensator:
         given = {name: np.broadcast_to(np.asarray(v, dtype=float), (n,)) for name, v in columns.items()}
         shape = (n, self.mechanism.limbs)
         at, assumed = complete_channels(given, shape, self.robot, self.mechanism.joint_unit, self.effects)
+        if at.get("time") is not None:
+            at = replace(at, begun=self.begun)
         said = [f"{t.effect} belongs to the instrument: no command is changed for it" for t in self.instrument]
         return at, said + assumed
 

@@ -184,7 +184,7 @@ def _c_command(live: _Live, unit: str) -> str:
     sources = [f.read_text(encoding="utf-8") for f in files]
     used = (s for t in live.compensator.effects for s in t.states)
     covariates = [c for c in tabled(used) if c.base not in STATES]
-    factors = {s.name: _c_factor(s) for s in tabled((*CHANNELS, *covariates)) if s.per == "machine"}
+    factors = {s.name: _c_factor(s, live.compensator) for s in tabled((*CHANNELS, *covariates)) if s.per == "machine"}
     factors |= {
         s.column.format(i=i + 1): s.c99.format(i=i, sign="")
         for s in tabled(CHANNELS)
@@ -286,13 +286,19 @@ def _c_known(live: _Live) -> list[str]:
 def _c_state(state: State, limb: int, compensator: Compensator) -> str:
     """Return a state as C writes it for a limb (from 1)."""
     i = (state.joint or limb) - 1
-    return state.c99.format(i=i, sign=f"DELTACAL_SIGN[{i}] * ", turned=repr(_turned(compensator)))
+    text = _since(state, compensator)
+    return text.format(i=i, sign=f"DELTACAL_SIGN[{i}] * ", turned=repr(_turned(compensator)))
 
 
-def _c_factor(channel: State) -> str:
+def _since(state: State, compensator: Compensator) -> str:
+    """Return a state in C, the time as effects count it."""
+    return f"({state.c99} - {compensator.begun!r})" if state.passes and compensator.begun else state.c99
+
+
+def _c_factor(channel: State, compensator: Compensator) -> str:
     """Return a channel of the machine as corrections go with it, in C."""
-    scale = unit_of(channel.name)[1]
-    text = channel.c99 if scale == 1.0 else f"{channel.c99} / {scale!r}"
+    scale, text = unit_of(channel.name)[1], _since(channel, compensator)
+    text = text if scale == 1.0 else f"{text} / {scale!r}"
     return f"({text})" if " " in text else text
 
 

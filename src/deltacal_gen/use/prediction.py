@@ -113,6 +113,11 @@ def told_of_events(result: Known, recording: Recording) -> str | None:
     )
 
 
+def _since(result: Known, recording: Recording) -> Recording:
+    """Return a recording whose time counts from when that of a result does."""
+    return dataclasses.replace(recording, begun=result.begun_s)
+
+
 def predict(result: Known, recording: Recording, place: Place | None = None) -> Recording:
     """Return the recording with its measured cells as the identified model predicts them.
 
@@ -261,6 +266,7 @@ def prediction_problem(
 
     `place` says where set-ups stand that the result does not know.
     """
+    recording = _since(result, recording)
     found = kind_of(recording.kind).unread(recording) if found is None else found
     found, instrument = _instrument(result, robot, recording, found, place)
     held = known_effects(result, recording)
@@ -286,7 +292,7 @@ def beyond_laws(result: Known, recording: Recording) -> np.ndarray:
     if not has_law(result):
         return np.zeros(recording.n_rows, dtype=bool)
     unread = kind_of(recording.kind).unread(recording)
-    problem = pose_problem(calibrated_robot(result), recording, (), found=unread, held=held)
+    problem = pose_problem(calibrated_robot(result), _since(result, recording), (), found=unread, held=held)
     return outside(problem.body, problem.solve(problem.reference), held)
 
 
@@ -377,7 +383,7 @@ def _placed(result: Known, robot: Robot, place: Place, anew: frozenset[str]) -> 
     InputError
         There are no readings of one of them, or they leave open where it stands.
     """
-    names, recording = sorted(anew), place.recording
+    names, recording = sorted(anew), _since(result, place.recording)
     code = np.array([names.index(n) if n in anew else -1 for n in recording.setup_names])
     found = place.readings.subset(code[place.readings.setup] >= 0)
     found = dataclasses.replace(found, setup=code[found.setup])

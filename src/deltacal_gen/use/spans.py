@@ -95,7 +95,8 @@ def channels_of(compensator: Compensator, n: int, values: Mapping[str, Array | f
             names = s.columns(compensator.mechanism.joint_unit, compensator.mechanism.limbs)
             columns |= {name: values.get(name, 0.0) for name in names}
         else:
-            columns[s.column] = np.add(np.multiply(values.get(s.name, 0.0), unit_of(s.name)[1]), s.zero)
+            since = s.zero + (compensator.begun if s.passes else 0.0)
+            columns[s.column] = np.add(np.multiply(values.get(s.name, 0.0), unit_of(s.name)[1]), since)
     return compensator.channels(columns, n)[0]
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import io
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar, cast
@@ -82,7 +83,7 @@ def identify(
     given, clock = set_in_time(robot, recording, model, held=held, progress=progress)
     fitted = identification.identify(
         robot,
-        given,
+        given if diagnosis is None else dataclasses.replace(given, begun=diagnosis.begun_s),
         model,
         as_distance=as_distance,
         solver=solver,

@@ -93,7 +93,7 @@ def compensate(
         return _exported(result, export, output, kind, worst_mm, tell)
     known = known_result(result)
     robot = prediction.calibrated_robot(known)
-    compensator = compensation.Compensator(robot, kind, prediction.known_effects(known))
+    compensator = compensation.Compensator(robot, kind, prediction.known_effects(known), known.begun_s)
     if targets is None:
         raise UsageError("give the targets: a CSV with x_mm, y_mm, z_mm.")
     if isinstance(targets, str | Path):
@@ -129,7 +129,7 @@ def _exported(result: Given, export: str, output: Source | None, kind: str, wors
         firmware_lines(known, export, _written_to(output), tell=tell)
         return np.zeros((0, 3))
     robot = prediction.calibrated_robot(known)
-    compensator = compensation.Compensator(robot, kind, prediction.known_effects(known))
+    compensator = compensation.Compensator(robot, kind, prediction.known_effects(known), known.begun_s)
     over = spans.spans(known)
     writers = {
         "c": lambda path: exports.export_c(compensator, path, over),
