@@ -140,10 +140,25 @@ def test_exports_of_instrument_software(tmp_path: Path, software: str) -> None:
 
 @pytest.mark.parametrize(
     ("name", "known"),
-    [("x_inch", ("x_mm", 25.4)), ("Y_metres", ("y_mm", 1000.0)), ("q1_degrees", ("q1_deg", 1.0)), ("load_inch", None)],
+    [
+        ("x_inch", ("x_mm", 25.4, 0.0)),
+        ("Y_metres", ("y_mm", 1000.0, 0.0)),
+        ("q1_degrees", ("q1_deg", 1.0, 0.0)),
+        ("temp_kelvin", ("temp_C", 1.0, -273.15)),
+        ("temp_arm [°F]", ("temp_arm_C", 5 / 9, -160 / 9)),
+        ("load_inch", None),
+    ],
 )
-def test_units_may_be_written_out_in_a_name(name: str, known: tuple[str, float] | None) -> None:
-    assert converted(name) == (known or (name, 1.0))
+def test_units_may_be_written_out_in_a_name(name: str, known: tuple[str, float, float] | None) -> None:
+    assert converted(name) == (known or (name, 1.0, 0.0))
+
+
+def test_temperatures_are_in_degrees_of_celsius(tmp_path: Path) -> None:
+    head = "pose,q1_deg,q2_deg,q3_deg,x_mm,y_mm,z_mm"
+    text = f"{head},temp_K,temp_arm_F\na,1,2,3,4,5,-800,293.15,68\nb,2,3,4,5,6,-801,,212\n"
+    found = read(tmp_path, text).channels
+    assert found["temp_C"] == pytest.approx([20.0, np.nan], nan_ok=True)
+    assert found["temp_arm_C"] == pytest.approx([20.0, 100.0])
 
 
 def test_a_table_in_the_place_of_the_robot_is_told(tmp_path: Path, run: Run) -> None:

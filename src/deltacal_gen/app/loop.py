@@ -194,6 +194,6 @@ def _appended(recording: Path, poses: Rows, readings: Rows) -> str:
 def _plain(rows: Rows) -> dict[str, list[str]]:
     """Return cells by column, as text, in the units that the names of columns say."""
     out = dict(rows.columns)
-    for name, factor in rows.factors.items():
-        out[name] = [repr(float(cell) * factor) if cell else "" for cell in rows.columns[name]]
+    for name, (factor, above) in rows.scales.items():
+        out[name] = [repr(float(cell) * factor + above) if cell else "" for cell in rows.columns[name]]
     return out

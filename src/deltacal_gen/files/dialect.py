@@ -32,8 +32,9 @@ _UNITS: tuple[tuple[re.Pattern[str], str, dict[str, float]], ...] = (  # of colu
     (re.compile(r"qdd\d+"), "mm_s2", {f"{u}_s2": f for u, f in _MM.items()}),
     (re.compile(r"time"), "s", {"s": 1.0, "ms": 1e-3, "min": 60.0, "h": 3600.0}),
     (re.compile(r"payload"), "kg", {"kg": 1.0, "g": 1e-3, "lb": 0.45359237}),
-    (re.compile(r"temp(_\w+)?"), "C", {"c": 1.0, "degc": 1.0}),
+    (re.compile(r"temp(_\w+)?"), "C", {"c": 1.0, "k": 1.0, "f": 5 / 9}),
 )
+_ABOVE = {"k": -273.15, "f": -160 / 9}  # what is added to a number in units that do not begin at the same zero
 _SPELLINGS = {  # units as people write them
     "deg": ("°", "degree", "degrees"),
     "rad": ("radian", "radians"),
@@ -41,7 +42,9 @@ _SPELLINGS = {  # units as people write them
     "um": ("µm", "μm", "micron"),
     "m": ("meter", "metre", "meters", "metres"),
     "s": ("sec",),
-    "c": ("°c",),
+    "c": ("°c", "degc", "celsius"),
+    "k": ("kelvin",),
+    "f": ("°f", "degf", "fahrenheit"),
     **{f"{u}_s": (f"{u}/s",) for u in ("deg", "rad", "mm", "m")},
     **{f"{u}_s2": (f"{u}/s^2",) for u in ("deg", "rad", "mm", "m")},
 }
@@ -179,14 +182,15 @@ def _unit(text: str) -> str:
     return _SPELT.get(plain, plain)
 
 
-def converted(name: str, unit: str = "") -> tuple[str, float]:
-    """Return a column's name as files here have it, and the factor to its unit: ``X [m]`` is ``x_mm``, times 1000.
+def converted(name: str, unit: str = "") -> tuple[str, float, float]:
+    """Return a column's name as files here have it, the factor to its unit, and what is added.
 
-    `unit` is what a row of units says of it. A name that says no unit, or that is not known, stays as it is.
+    ``X [m]`` is ``x_mm``, times 1000; ``temp [K]`` is ``temp_C``, less 273.15. `unit` is what a row of units says. A
+    name that says no unit, or that is not known, stays as it is.
     """
     stem, said = name.strip(), _unit(unit)
     if any(stem.endswith(f"_{own}") and p.fullmatch(stem.removesuffix(f"_{own}")) for p, own, _ in _UNITS):
-        return stem, 1.0
+        return stem, 1.0, 0.0
     if (bracket := re.fullmatch(r"(.*?)[\s_]*[\[(]([^\])]*)[\])]", stem)) is not None:
         stem, said = bracket[1], said or _unit(bracket[2])
     plain = stem.lower().replace(" ", "_")
@@ -194,11 +198,11 @@ def converted(name: str, unit: str = "") -> tuple[str, float]:
     plain = f"{head}_{_SPELT[tail]}" if tail in _SPELT else plain  # x_inch, q1_degrees
     for pattern, own, factors in _UNITS:
         if pattern.fullmatch(plain) and said in factors:
-            return f"{plain}_{own}", factors[said]
+            return f"{plain}_{own}", factors[said], _ABOVE.get(said, 0.0)
         for other, factor in factors.items():
             if plain.endswith(f"_{other}") and pattern.fullmatch(plain.removesuffix(f"_{other}")):
-                return f"{plain.removesuffix(f'_{other}')}_{own}", factor
-    return name, 1.0
+                return f"{plain.removesuffix(f'_{other}')}_{own}", factor, _ABOVE.get(other, 0.0)
+    return name, 1.0, 0.0
 
 
 def decimal_of(path: Path, cells: Iterable[tuple[int, str]]) -> str:

@@ -32,7 +32,8 @@ class Rows:
     columns: dict[str, list[str]]
     line: np.ndarray  # of each row
     header_line: int | None
-    factors: Mapping[str, float] = field(default_factory=dict)  # of columns in other units than their names say now
+    scales: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    """Factor, and what is added then, of columns in other units than their names say now."""
 
     def error(self, problem: str, remedy: str, *, row: int | None = None, column: str | None = None) -> InputError:
         """Return the error that names file, line (that of the header without a row) and column."""
@@ -89,9 +90,9 @@ class Rows:
 
     def _column(self, name: str) -> np.ndarray:
         values = np.full(len(self.line), np.nan)
-        cells = self.columns[name]
+        cells, (factor, above) = self.columns[name], self.scales.get(name, (1.0, 0.0))
         with contextlib.suppress(ValueError):  # the usual column at once; others cell by cell, to name the wrong one
-            values = np.array([float(cell) if cell else np.nan for cell in cells]) * self.factors.get(name, 1.0)
+            values = np.array([float(cell) if cell else np.nan for cell in cells]) * factor + above
             if (np.abs(values) <= LARGEST).sum() == sum(map(bool, cells)) and not any("_" in cell for cell in cells):
                 return values
         for row, cell in enumerate(cells):
@@ -110,7 +111,7 @@ class Rows:
                 shown = cell if len(cell) <= 40 else f"{cell[:36]} ..."
                 raise self.error(f"the cell holds '{shown}', {expected} was expected.", remedy, row=row, column=name)
             values[row] = value
-        return values * self.factors.get(name, 1.0)
+        return values * factor + above
 
 
 def number_of(cell: str) -> float | None:
@@ -200,11 +201,10 @@ def _of_cells(path: Path, table: list[list[str]], numbers: list[int], layout: La
     header, units = table[0], table[1] if layout.units else [""] * len(table[0])
     table, numbers, header_line = table[1 + layout.units :], numbers[1 + layout.units :], numbers[0]
     named = [converted(name, unit) for name, unit in zip(header, units, strict=True)]
-    if len({name for name, _ in named}) == len(named):
-        header = [name for name, _ in named]
-        factors = {name: factor for name, factor in named if factor != 1.0}
-    else:  # the same quantity twice, in two units
-        factors = {}
+    scales = {}
+    if len({name for name, *_ in named}) == len(named):  # else the same quantity twice, in two units
+        header = [name for name, *_ in named]
+        scales = {name: (factor, above) for name, factor, above in named if (factor, above) != (1.0, 0.0)}
     _check_header(path, header, header_line)
     for cells, line in zip(table, numbers, strict=True):
         if len(cells) != len(header):
@@ -223,7 +223,7 @@ def _of_cells(path: Path, table: list[list[str]], numbers: list[int], layout: La
             name: cells if name in LABELS else [plain_number(cell, layout) for cell in cells]
             for name, cells in columns.items()
         }
-    return Rows(path, columns, np.array(numbers), header_line, factors)
+    return Rows(path, columns, np.array(numbers), header_line, scales)
 
 
 def _without_blank_ends(table: list[list[str]]) -> list[list[str]]:
