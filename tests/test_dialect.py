@@ -165,3 +165,23 @@ def test_a_table_in_the_place_of_the_robot_is_told(tmp_path: Path, run: Run) -> 
     code, _, err = run("identify", example() / "recording.csv", example() / "robot.toml")
     assert code == 3
     assert "Give the robot first" in err
+
+
+@pytest.mark.parametrize(
+    ("name", "cells", "seconds"),
+    [
+        ("timestamp", ("2026-11-26T10:22:11.5", "2026-11-26 10:22:12.5+00:00"), (1795688531.5, 1795688532.5)),
+        ("Date Time", ("2026-11-26T10:22:11+01:00", ""), (1795684931.0, np.nan)),
+        ("time", ("10:22:11.25", "10:22:12"), (37331.25, 37332.0)),
+        ("time", ("10:22:11", "noon"), None),
+        ("date", ("20261126", "20261127"), None),
+        ("remark", ("10:22:11", "10:22:12"), None),
+    ],
+)
+def test_moments_are_seconds(
+    tmp_path: Path, name: str, cells: tuple[str, str], seconds: tuple[float, float] | None
+) -> None:
+    rows = "".join(f"{k},{k},2,3,4,5,-800,{cell}\n" for k, cell in enumerate(cells))
+    found = read(tmp_path, f"pose,q1_deg,q2_deg,q3_deg,x_mm,y_mm,z_mm,{name}\n{rows}").time_s
+    assert (found is None) == (seconds is None)
+    assert seconds is None or found == pytest.approx(np.array(seconds), abs=1e-6, nan_ok=True)

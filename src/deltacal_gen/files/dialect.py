@@ -6,19 +6,23 @@ for: ``--decimal ,`` or ``.`` (in Python `decimal_mark`).
 
 from __future__ import annotations
 
+import contextlib
 import csv
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar, Token
 from dataclasses import dataclass
+from datetime import UTC, datetime, time
 from pathlib import Path
 
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.columns import JOINT, RESERVED, is_channel
+from deltacal_gen.states import TIME
 
 LOOKED_AT = 200  # lines in which the header is searched for
 SEPARATORS = (",", ";", "\t", "|")
+_MOMENT = re.compile(r"(date_?)?time(_?stamp)?|date|stamp")  # names of columns that hold moments
 LABELS = {"pose", "setup", "contact", "pose_a", "pose_b"}
 _DEG, _MM = {"deg": 1.0, "rad": 57.29577951308232}, {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4, "um": 1e-3}
 _UNITS: tuple[tuple[re.Pattern[str], str, dict[str, float]], ...] = (  # of columns, unit in files, factors to it
@@ -256,3 +260,34 @@ def plain_number(cell: str, layout: Layout) -> str:
     if decimal == "," and _WITH_COMMA.fullmatch(bare):
         return bare.replace(",", ".")
     return bare
+
+
+def in_seconds(columns: dict[str, list[str]]) -> dict[str, list[str]]:
+    """Return columns (of cells) with moments, written as dates and times of the day (ISO 8601), as seconds ``time_s``.
+
+    Those of dates count from 1970, UTC where no zone is said, others from midnight.
+    """
+    if TIME in columns:
+        return columns
+    for name, cells in columns.items():
+        if _MOMENT.fullmatch(name.lower().replace(" ", "_")) and any(cells):
+            seconds = [_seconds(cell) for cell in cells]
+            if None not in seconds:
+                told = {TIME: [str(s) for s in seconds]}
+                return {k: v for n, c in columns.items() for k, v in (told if n == name else {n: c}).items()}
+    return columns
+
+
+def _seconds(cell: str) -> str | None:
+    """Return a moment in seconds, as text; "" of a blank cell, None of what is none."""
+    if not cell:
+        return ""
+    if ":" not in cell:
+        return None
+    with contextlib.suppress(ValueError):
+        moment = datetime.fromisoformat(cell)
+        return repr((moment if moment.tzinfo else moment.replace(tzinfo=UTC)).timestamp())
+    with contextlib.suppress(ValueError):
+        at = time.fromisoformat(cell)
+        return repr(3600 * at.hour + 60 * at.minute + at.second + at.microsecond / 1e6)
+    return None

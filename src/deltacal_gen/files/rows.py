@@ -16,7 +16,16 @@ import numpy as np
 
 from deltacal_gen.errors import InputError
 from deltacal_gen.files.columns import RESERVED, is_channel
-from deltacal_gen.files.dialect import LABELS, LOOKED_AT, Layout, converted, encoding_of, layout_of, plain_number
+from deltacal_gen.files.dialect import (
+    LABELS,
+    LOOKED_AT,
+    Layout,
+    converted,
+    encoding_of,
+    in_seconds,
+    layout_of,
+    plain_number,
+)
 from deltacal_gen.files.toml import nearest
 
 WORKBOOKS = (".xlsx", ".xlsm")
@@ -223,7 +232,7 @@ def _of_cells(path: Path, table: list[list[str]], numbers: list[int], layout: La
             name: cells if name in LABELS else [plain_number(cell, layout) for cell in cells]
             for name, cells in columns.items()
         }
-    return Rows(path, columns, np.array(numbers), header_line, scales)
+    return Rows(path, in_seconds(columns), np.array(numbers), header_line, scales)
 
 
 def _without_blank_ends(table: list[list[str]]) -> list[list[str]]:
