@@ -44,6 +44,14 @@ def test_what_was_not_rounded_has_no_step(values: np.ndarray) -> None:
     assert step_of(values) == 0.0
 
 
+def test_values_far_from_zero_are_no_finer_than_numbers_are() -> None:
+    """Two that differ by less than numbers of their size are known to are one: no step divides them."""
+    values = 1e6 + np.random.default_rng(3).uniform(-300.0, 300.0, 120)
+    values[1::2] = np.nextafter(values[::2], np.inf)
+    assert step_of(values) == 0.0
+    assert step_of(1e6 + 0.25 * np.arange(40)) == pytest.approx(0.25)
+
+
 @pytest.mark.parametrize(
     ("reading", "joint", "says"), [(0.1, 0.0, "readings in steps of 0.1 mm"), (0.0, 0.05, "0.05 deg")]
 )

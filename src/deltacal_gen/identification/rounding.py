@@ -13,7 +13,8 @@ from deltacal_gen.machine.values import Recording
 from deltacal_gen.units import joint_factors
 
 LOOKED_AT = 300  # values of a column: a step that they share all have
-SAME = 1e-9  # of the largest value: differences below it are rounding of the computer's own
+SAME = 1e-9  # of the span of values: differences below it are rounding of the computer's own
+DIGITS = 1e-15  # part of its size to which a number is known, after some turns of unit
 FINEST = 1e-7  # of the span of values: a step below it rounds nothing
 TOLD = 0.3  # of the larger of two: less adds a twentieth
 FEWEST = 4  # distinct values, without which every step fits
@@ -98,7 +99,8 @@ def step_of(values: Array, usual: Sequence[float] = ()) -> float:
     if len(v) < FEWEST:
         return 0.0
     gaps, least = np.diff(v), FINEST * float(np.ptp(v))
-    step = _divisor(gaps, SAME * max(float(np.abs(v).max()), 1e-300), least)
+    same = max(SAME * float(np.ptp(v)), DIGITS * float(np.abs(v).max()))  # however far from zero they are
+    step = _divisor(gaps, same, least)
     # written in steps of their last digit: twice its half may part two values from a coarser grid
     for coarse in usual:
         turns = (v - v[0]) / coarse
@@ -111,6 +113,8 @@ def _divisor(gaps: Array, same: float, least: float) -> float:
     """Return the greatest common divisor of lengths (n,), alike up to `same`; 0 where it is less than `least`."""
     found = 0.0
     for whole in np.sort(gaps)[::-1].tolist():
+        if whole < 2 * same:
+            break  # and all that follow: what differs by no more than numbers are known to is one value
         gap = whole
         while gap > 2 * same:
             rest = found % gap if found else 0.0
