@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import dataclasses
 import shutil
 from pathlib import Path
 from types import SimpleNamespace
@@ -278,7 +279,8 @@ SIZED: Any = SimpleNamespace(**vars(DELTA) | {"geometry": (LENGTH,)})
         (1.0, 1e-3, "look like metres. Multiply by 1000"),
         (1.0, 1e3, "look like micrometres. Divide by 1000"),
         (DEG, 1.0, "the joints look like radians"),
-        (20.0, 1.0, "reads -800 deg, more than a full turn"),
+        (20.0, 1.0, "reads -800 deg, more than two full turns"),
+        (12.0, 1.0, ""),  # -480 deg: a wrist turns so far
     ],
 )
 def test_units_are_checked_against_the_machine(read: Any, q_scale: float, x_scale: float, said: str) -> None:
@@ -293,6 +295,9 @@ def test_units_are_checked_against_the_machine(read: Any, q_scale: float, x_scal
         return
     with pytest.raises(InputError, match=said):
         check_units(recording, robot, load=lambda name: SIZED)
+    if "turns" in said:
+        free = dataclasses.replace(robot, joint_limits=np.array([[-900.0, 900.0]] * 3) * DEG)
+        check_units(recording, free, load=lambda name: SIZED)
 
 
 # --- writing --------------------------------------------------------------------------------------------------------
