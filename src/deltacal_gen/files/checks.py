@@ -47,7 +47,7 @@ def check_units(recording: Recording, robot: Robot, *, load: Callable[[str], Mac
         row, joint = far[0]
         raise InputError(
             f"the joint reads {q[row, joint] / DEG:.6g} deg, more than two full turns either way.",
-            "Give angles of the joint, after the gear, in degrees; or the limits of one that turns so far (limits_deg).",
+            "Give angles of the joint, after the gear, in degrees; or limits_deg of one that turns so far.",
             file=recording.path,
             line=int(recording.line[row]),
             column=f"q{joint + 1}_deg",
