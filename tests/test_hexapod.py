@@ -15,6 +15,8 @@ from conftest import Run
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.errors import UsageError
+from deltacal_gen.estimation.prior import unsaid
+from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import Robot, read_robot
 from deltacal_gen.identification.accuracy import turned
@@ -60,6 +62,11 @@ def poses(n: int, seed: int = 0) -> np.ndarray:
     return np.hstack([places, from_vector(rng.uniform(-0.2, 0.2, (n, 3))).reshape(-1, 9)])
 
 
+def reference(r: Robot) -> np.ndarray:
+    """Return where the reference point is in {O'}."""
+    return r.tool + [r.errors.get(f"t{axis}", 0.0) for axis in "xyz"]
+
+
 def joints_by_hand(r: Robot, x: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return base joints, platform joints in {O}, (N, 6, 3) each, and ways of the legs (N, 6)."""
     g, e = r.geometry, r.errors
@@ -70,7 +77,7 @@ def joints_by_hand(r: Robot, x: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.
         return np.stack(at, axis=1) + [[e.get(f"{letter}{axis}_{i}", 0.0) for axis in "xyz"] for i in range(1, 7)]
 
     A, R = ring("base", "a"), x[:, 3:].reshape(-1, 3, 3)
-    B = x[:, None, :3] + (ring("platform", "b") - r.tool) @ np.swapaxes(R, 1, 2)
+    B = x[:, None, :3] + (ring("platform", "b") - reference(r)) @ np.swapaxes(R, 1, 2)
     length = np.linalg.norm(B - A, axis=2)
     own, lead = (np.array([e.get(f"{name}_{i}", 0.0) for i in range(1, 7)]) for name in ("l", "scale"))
     return np.broadcast_to(A, B.shape), B, (length - g["leg_length"] - own) / (1 + lead)
@@ -155,6 +162,30 @@ def test_what_is_identified_predicts_poses_that_were_not_read() -> None:
     found = identify(robot(None), even).answer()
     missed = predict(found, odd).measured - odd.measured
     assert np.sqrt(np.mean(missed[:, :3] ** 2)) < 2 * NOISE
+
+
+def test_a_reflector_of_which_nobody_says_where_it_sits_is_found() -> None:
+    """Off the centre by centimetres it moves as the platform turns: neither frame nor joints do that for it."""
+    bare, sits = robot(None), np.array([14.0, -9.0, 31.0])
+    recording = measured(dataclasses.replace(bare, tool=sits), 1.0, 8)
+    even, odd = (recording.subset(np.arange(k, recording.n_rows, 2)) for k in (0, 1))
+    found = identify(bare, even).answer()
+    assert found.model == "hexapod/51"
+    assert found.doubts is None
+    missed = predict(found, odd).measured - odd.measured
+    assert np.sqrt(np.mean(missed[:, :3] ** 2)) < 2 * NOISE
+    offsets = {p.name: p.value for p in found.parameters}
+    np.testing.assert_allclose([offsets[f"t{axis}"] for axis in "xyz"], sits, atol=1.0)  # but for all joints together
+
+
+def test_of_a_gauge_the_sidecar_says_where_it_is_fixed() -> None:
+    recording = measured(robot(None), 1.0, 8)
+    gauge = Measurement(kind="gauge", base_point_mm=(150.0, 0.0, 0.0), platform_point_mm=(0.0, 50.0, 0.0))
+    length = np.linalg.norm(recording.measured[:, :3], axis=1, keepdims=True)
+    columns = {"kind": "gauge", "measurement": gauge, "columns": ("gauge_mm",), "measured": length}
+    lengths = dataclasses.replace(recording, **columns)
+    for readings, left_open in ((recording, ("tx", "ty", "tz")), (lengths, ())):
+        assert unsaid(pose_problem(robot(None), readings, MACHINE.models["hexapod/51"])) == left_open
 
 
 def test_what_is_chosen_is_what_was_looked_at() -> None:

@@ -3,7 +3,7 @@ r"""The hexapod of Gough and Stewart: a platform on six legs, each between a bal
 Frame: {O} in the middle of the base, z up, towards the platform. With the platform at P, turned by R::
 
     base joint      A = base_radius (cos, sin)(base_angle) + base_height z + (ax, ay, az)
-    platform joint  B = P + R (platform_radius (cos, sin)(platform_angle) + platform_height z + (bx, by, bz) - tool)
+    platform joint  B = P + R (platform_radius (cos, sin)(platform_angle) + platform_height z + (bx, by, bz) - tool - t)
     closure         (|B - A|^2 - (leg_length + l + (1 + scale) q)^2) / 2 = 0
 
 A command asks for position and rotation: the way of a leg follows from its own closure. The forward position has up to
@@ -11,7 +11,8 @@ forty solutions; the machine's is the one near its home, level above the base wi
 
 Seven errors a leg are the 42 of the literature (Masory, Wang, Zhuang); `scale` is the lead of its spindle. Readings of
 poses in an unknown frame see 33 of the 42: another frame of the base is the instrument's, another rotation of the
-platform the target's. Where nobody knows the reference point either, they see 30.
+platform the target's. Where nobody knows the reference point either, they see 30: t moves it, and the platform turns,
+so that a reflector that sits elsewhere than it is said to is no frame of the instrument.
 """
 
 from __future__ import annotations
@@ -29,10 +30,12 @@ px, py, pz, cx, cy, cz = sp.symbols("px py pz cx cy cz", real=True)
 tx, ty, tz, q = sp.symbols("tx ty tz q", real=True)
 base, alpha, up, platform, beta, down, l = sp.symbols("base alpha up plate beta down leg", real=True)
 ax, ay, az, bx, by, bz, dl, scale = sp.symbols("ax ay az bx by bz dl scale", real=True)
+t = sp.symbols("dtx dty dtz", real=True)
 lower, lower_com, upper, body, payload = sp.symbols("proximal proximal_com distal_rod platform payload", real=True)
 
 LENGTHS = ("ax", "ay", "az", "bx", "by", "bz", "l")
 LEGS = (1, 2, 3, 4, 5, 6)
+TOOL_ERRORS = ("tx", "ty", "tz")
 DEG = float(sp.pi) / 180
 _length = 0.1  # an ordinary error [mm]
 
@@ -97,6 +100,10 @@ MACHINE = partial(  # what no rotation enters
         Quantity(dl, "mm", "length of the leg", typical=_length, label="l"),
         Quantity(scale, "1", "true way of the leg per counted way, less 1", typical=3e-4),
     ),
+    common=tuple(
+        Quantity(e, "mm", f"reference point, {a} in {{O'}}", typical=_length, label=f"t{a}")
+        for e, a in zip(t, "xyz", strict=True)
+    ),
     deflections=(),
     small=(),
     masses=(
@@ -114,6 +121,7 @@ MACHINE = partial(  # what no rotation enters
     },
     layers=(1, -1),
     models={
+        "hexapod/51": (*_names(*LENGTHS, "scale"), *TOOL_ERRORS),
         "hexapod/48": _names(*LENGTHS, "scale"),
         "hexapod/42": _names(*LENGTHS),
         "hexapod/6": _names("l"),
@@ -133,9 +141,9 @@ def mechanism(v: Algebra) -> LimbMechanism:
     steps = Derivation()
     step = steps.step
     P, R = vector(px, py, pz), step("R", v.cayley(vector(cx, cy, cz)))
-    tool = vector(tx, ty, tz)
+    tool = vector(tx, ty, tz)  # of the weight of the platform, too, which no error moves
     A = step("A", vector(base * sp.cos(alpha) + ax, base * sp.sin(alpha) + ay, up + az))
-    b = step("b", vector(platform * sp.cos(beta) + bx, platform * sp.sin(beta) + by, down + bz) - tool)
+    b = step("b", vector(platform * sp.cos(beta) + bx, platform * sp.sin(beta) + by, down + bz) - tool - vector(*t))
     B = step("B", P + R * b)
     leg, length = step("d", B - A), step("s", l + dl + (1 + scale) * q)
     along = step("e", leg / length)

@@ -1,7 +1,7 @@
 """Poses side by side: `hexapod`, Hexapod of Gough and Stewart, six legs.
 
 Generated from derive/mechanisms/hexapod.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/blocks.py.jinja; sha256 of both ba6845f42f6f6176; SymPy 1.14.0.
+Template templates/mechanism/blocks.py.jinja; sha256 of both 84896d29d65eff65; SymPy 1.14.0.
 
 The other modules of many poses take them in blocks, and compute with lane arrays, one number a pose, which all lie in
 one array w: first a region for every limb, then what the limbs share. Here a block of what is given is put there.
@@ -10,8 +10,8 @@ one array w: first a region for every limb, then what the limbs share. Here a bl
 from deltacal_kernels.straight import straight
 
 LANES = 32  # poses of a block
-WORK = 11296  # numbers that a block computes with
-SPARE = 2304  # and that the last of its poses are written to
+WORK = 11872  # numbers that a block computes with
+SPARE = 3168  # and that the last of its poses are written to
 
 
 @straight
@@ -20,11 +20,11 @@ def load(q, w, first, last, n):
     for lane in range(n):
         m = min(first + lane, last)
         w[0 + lane] = q[6 * m + 0]
-        w[1568 + lane] = q[6 * m + 1]
-        w[3136 + lane] = q[6 * m + 2]
-        w[4704 + lane] = q[6 * m + 3]
-        w[6272 + lane] = q[6 * m + 4]
-        w[7840 + lane] = q[6 * m + 5]
+        w[1664 + lane] = q[6 * m + 1]
+        w[3328 + lane] = q[6 * m + 2]
+        w[4992 + lane] = q[6 * m + 3]
+        w[6656 + lane] = q[6 * m + 4]
+        w[8320 + lane] = q[6 * m + 5]
 
 
 @straight
@@ -34,25 +34,25 @@ def hold(tool, w, first, last, n):
         m = min(first + lane, last)
         at = tool[3 * m + 0]
         w[32 + lane] = at
-        w[1600 + lane] = at
-        w[3168 + lane] = at
-        w[4736 + lane] = at
-        w[6304 + lane] = at
-        w[7872 + lane] = at
+        w[1696 + lane] = at
+        w[3360 + lane] = at
+        w[5024 + lane] = at
+        w[6688 + lane] = at
+        w[8352 + lane] = at
         at = tool[3 * m + 1]
         w[64 + lane] = at
-        w[1632 + lane] = at
-        w[3200 + lane] = at
-        w[4768 + lane] = at
-        w[6336 + lane] = at
-        w[7904 + lane] = at
+        w[1728 + lane] = at
+        w[3392 + lane] = at
+        w[5056 + lane] = at
+        w[6720 + lane] = at
+        w[8384 + lane] = at
         at = tool[3 * m + 2]
         w[96 + lane] = at
-        w[1664 + lane] = at
-        w[3232 + lane] = at
-        w[4800 + lane] = at
-        w[6368 + lane] = at
-        w[7936 + lane] = at
+        w[1760 + lane] = at
+        w[3424 + lane] = at
+        w[5088 + lane] = at
+        w[6752 + lane] = at
+        w[8416 + lane] = at
 
 
 @straight
@@ -61,43 +61,43 @@ def aim(w, n):
     for lane in range(n):
         at = w[0 + lane]
         w[128 + lane] = at
-        w[1696 + lane] = at
-        w[3264 + lane] = at
-        w[4832 + lane] = at
-        w[6400 + lane] = at
-        w[7968 + lane] = at
-        at = w[1568 + lane]
-        w[160 + lane] = at
-        w[1728 + lane] = at
-        w[3296 + lane] = at
-        w[4864 + lane] = at
-        w[6432 + lane] = at
-        w[8000 + lane] = at
-        at = w[3136 + lane]
-        w[192 + lane] = at
-        w[1760 + lane] = at
-        w[3328 + lane] = at
-        w[4896 + lane] = at
-        w[6464 + lane] = at
-        w[8032 + lane] = at
-        at = w[4704 + lane]
-        w[224 + lane] = at
         w[1792 + lane] = at
-        w[3360 + lane] = at
-        w[4928 + lane] = at
-        w[6496 + lane] = at
-        w[8064 + lane] = at
-        at = w[6272 + lane]
-        w[256 + lane] = at
+        w[3456 + lane] = at
+        w[5120 + lane] = at
+        w[6784 + lane] = at
+        w[8448 + lane] = at
+        at = w[1664 + lane]
+        w[160 + lane] = at
         w[1824 + lane] = at
-        w[3392 + lane] = at
-        w[4960 + lane] = at
-        w[6528 + lane] = at
-        w[8096 + lane] = at
-        at = w[7840 + lane]
-        w[288 + lane] = at
+        w[3488 + lane] = at
+        w[5152 + lane] = at
+        w[6816 + lane] = at
+        w[8480 + lane] = at
+        at = w[3328 + lane]
+        w[192 + lane] = at
         w[1856 + lane] = at
-        w[3424 + lane] = at
-        w[4992 + lane] = at
-        w[6560 + lane] = at
-        w[8128 + lane] = at
+        w[3520 + lane] = at
+        w[5184 + lane] = at
+        w[6848 + lane] = at
+        w[8512 + lane] = at
+        at = w[4992 + lane]
+        w[224 + lane] = at
+        w[1888 + lane] = at
+        w[3552 + lane] = at
+        w[5216 + lane] = at
+        w[6880 + lane] = at
+        w[8544 + lane] = at
+        at = w[6656 + lane]
+        w[256 + lane] = at
+        w[1920 + lane] = at
+        w[3584 + lane] = at
+        w[5248 + lane] = at
+        w[6912 + lane] = at
+        w[8576 + lane] = at
+        at = w[8320 + lane]
+        w[288 + lane] = at
+        w[1952 + lane] = at
+        w[3616 + lane] = at
+        w[5280 + lane] = at
+        w[6944 + lane] = at
+        w[8608 + lane] = at

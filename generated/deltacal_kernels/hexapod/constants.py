@@ -1,9 +1,9 @@
 """What no pose changes: `hexapod`, many machines at once, Hexapod of Gough and Stewart, six legs.
 
 Generated from derive/mechanisms/hexapod.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/constants.py.jinja; sha256 of both 9f2e90fca0d41f38; SymPy 1.14.0.
+Template templates/mechanism/constants.py.jinja; sha256 of both 862e1d863bf903f2; SymPy 1.14.0.
 
-p (M, 6, 15) holds a machine's parameters, one row per limb; a loop over `lane` runs over the limbs
+p (M, 6, 18) holds a machine's parameters, one row per limb; a loop over `lane` runs over the limbs
 of all machines.
 """
 
@@ -21,27 +21,30 @@ fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
 @straight
 def _fill_constants(p, k, rows):
     for lane in range(rows):
-        base = p[15 * lane + 0]
-        alpha = p[15 * lane + 1]
-        up = p[15 * lane + 2]
-        plate = p[15 * lane + 3]
-        beta = p[15 * lane + 4]
-        down = p[15 * lane + 5]
-        leg = p[15 * lane + 6]
-        ax = p[15 * lane + 7]
-        ay = p[15 * lane + 8]
-        az = p[15 * lane + 9]
-        bx = p[15 * lane + 10]
-        by = p[15 * lane + 11]
-        bz = p[15 * lane + 12]
-        dl = p[15 * lane + 13]
-        scale = p[15 * lane + 14]
+        base = p[18 * lane + 0]
+        alpha = p[18 * lane + 1]
+        up = p[18 * lane + 2]
+        plate = p[18 * lane + 3]
+        beta = p[18 * lane + 4]
+        down = p[18 * lane + 5]
+        leg = p[18 * lane + 6]
+        ax = p[18 * lane + 7]
+        ay = p[18 * lane + 8]
+        az = p[18 * lane + 9]
+        bx = p[18 * lane + 10]
+        by = p[18 * lane + 11]
+        bz = p[18 * lane + 12]
+        dl = p[18 * lane + 13]
+        scale = p[18 * lane + 14]
+        dtx = p[18 * lane + 15]
+        dty = p[18 * lane + 16]
+        dtz = p[18 * lane + 17]
         A_x = ax + base*cosine(alpha)
         A_y = ay + base*sine(alpha)
         A_z = az + up
-        s44 = bx + plate*cosine(beta)
-        s48 = by + plate*sine(beta)
-        s50 = bz + down
+        s44 = bx - dtx + plate*cosine(beta)
+        s48 = by - dty + plate*sine(beta)
+        s50 = bz + down - dtz
         s67 = scale + 1
         s69 = dl + leg
         s167 = (1.0 / (s67 * s67))
@@ -74,10 +77,10 @@ def _constants(p, k):
 
 
 def constants(p):
-    """Return k (M, 6, 13), what no pose changes, from p (48 operations)."""
+    """Return k (M, 6, 13), what no pose changes, from p (51 operations)."""
     p = np.ascontiguousarray(p, dtype=float)
-    if p.ndim != 3 or p.shape[1:] != (6, 15):
-        raise ValueError(f"parameters have the shape {p.shape}; (M, 6, 15) was expected.")
+    if p.ndim != 3 or p.shape[1:] != (6, 18):
+        raise ValueError(f"parameters have the shape {p.shape}; (M, 6, 18) was expected.")
     k = np.empty((len(p), 6, 13))
     _constants(p, k)
     return k

@@ -1,13 +1,13 @@
 """Kinematics of `hexapod`, many poses at once: Hexapod of Gough and Stewart, six legs.
 
 Generated from derive/mechanisms/hexapod.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both dc452a977c914d1a; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 9be1a09872ccd150; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
 x (N, 6)  platform: px py pz cx cy cz
 q (N, 6)  joints        tool (N or 1, 3)  reference point in {O'}
-p (M, 6, 15)  one row of parameters per limb: base alpha up plate beta down leg ax ay az bx by bz l scale
+p (M, 6, 18)  one row of parameters per limb: base alpha up plate beta down leg ax ay az bx by bz l scale tx ty tz
 k (M, 6, 13)  what `constants` makes of p; each of the M machines has N / M of the poses, one after the other
 
 Poses are taken in blocks of up to 32, side by side: a loop over `lane` runs over the poses of a block. What is
@@ -136,41 +136,41 @@ def _step(w, n):
         J00_3 = w[736 + lane]
         J00_4 = w[768 + lane]
         J00_5 = w[800 + lane]
-        F10 = w[2176 + lane]
-        J10_0 = w[2208 + lane]
-        J10_1 = w[2240 + lane]
-        J10_2 = w[2272 + lane]
-        J10_3 = w[2304 + lane]
-        J10_4 = w[2336 + lane]
-        J10_5 = w[2368 + lane]
-        F20 = w[3744 + lane]
-        J20_0 = w[3776 + lane]
-        J20_1 = w[3808 + lane]
-        J20_2 = w[3840 + lane]
-        J20_3 = w[3872 + lane]
-        J20_4 = w[3904 + lane]
-        J20_5 = w[3936 + lane]
-        F30 = w[5312 + lane]
-        J30_0 = w[5344 + lane]
-        J30_1 = w[5376 + lane]
-        J30_2 = w[5408 + lane]
-        J30_3 = w[5440 + lane]
-        J30_4 = w[5472 + lane]
-        J30_5 = w[5504 + lane]
-        F40 = w[6880 + lane]
-        J40_0 = w[6912 + lane]
-        J40_1 = w[6944 + lane]
-        J40_2 = w[6976 + lane]
-        J40_3 = w[7008 + lane]
-        J40_4 = w[7040 + lane]
-        J40_5 = w[7072 + lane]
-        F50 = w[8448 + lane]
-        J50_0 = w[8480 + lane]
-        J50_1 = w[8512 + lane]
-        J50_2 = w[8544 + lane]
-        J50_3 = w[8576 + lane]
-        J50_4 = w[8608 + lane]
-        J50_5 = w[8640 + lane]
+        F10 = w[2272 + lane]
+        J10_0 = w[2304 + lane]
+        J10_1 = w[2336 + lane]
+        J10_2 = w[2368 + lane]
+        J10_3 = w[2400 + lane]
+        J10_4 = w[2432 + lane]
+        J10_5 = w[2464 + lane]
+        F20 = w[3936 + lane]
+        J20_0 = w[3968 + lane]
+        J20_1 = w[4000 + lane]
+        J20_2 = w[4032 + lane]
+        J20_3 = w[4064 + lane]
+        J20_4 = w[4096 + lane]
+        J20_5 = w[4128 + lane]
+        F30 = w[5600 + lane]
+        J30_0 = w[5632 + lane]
+        J30_1 = w[5664 + lane]
+        J30_2 = w[5696 + lane]
+        J30_3 = w[5728 + lane]
+        J30_4 = w[5760 + lane]
+        J30_5 = w[5792 + lane]
+        F40 = w[7264 + lane]
+        J40_0 = w[7296 + lane]
+        J40_1 = w[7328 + lane]
+        J40_2 = w[7360 + lane]
+        J40_3 = w[7392 + lane]
+        J40_4 = w[7424 + lane]
+        J40_5 = w[7456 + lane]
+        F50 = w[8928 + lane]
+        J50_0 = w[8960 + lane]
+        J50_1 = w[8992 + lane]
+        J50_2 = w[9024 + lane]
+        J50_3 = w[9056 + lane]
+        J50_4 = w[9088 + lane]
+        J50_5 = w[9120 + lane]
         G_cof_00 = J10_1*J20_2 - J10_2*J20_1
         G_cof_01 = -J10_0*J20_2 + J10_2*J20_0
         G_cof_02 = J10_0*J20_1 - J10_1*J20_0
@@ -247,14 +247,14 @@ def _step(w, n):
         s225 = (J40_3 * J40_3) + (J40_4 * J40_4) + (J40_5 * J40_5)
         s229 = (J50_3 * J50_3) + (J50_4 * J50_4) + (J50_5 * J50_5)
         s231 = (Si_det_00 * Si_det_00) - 1.0e-12*s225*s229*((J30_3 * J30_3) + (J30_4 * J30_4) + (J30_5 * J30_5))
-        w[9408 + lane] = s193
-        w[9440 + lane] = s197
-        w[9472 + lane] = s201
-        w[9504 + lane] = w_00
-        w[9536 + lane] = w_10
-        w[9568 + lane] = w_20
-        w[9600 + lane] = s216
-        w[9632 + lane] = s231
+        w[9984 + lane] = s193
+        w[10016 + lane] = s197
+        w[10048 + lane] = s201
+        w[10080 + lane] = w_00
+        w[10112 + lane] = w_10
+        w[10144 + lane] = w_20
+        w[10176 + lane] = s216
+        w[10208 + lane] = s231
 
 
 @straight
@@ -333,46 +333,46 @@ def _command(w, n):
         J00_4 = w[768 + lane]
         J00_5 = w[800 + lane]
         Q00 = w[832 + lane]
-        F10 = w[2176 + lane]
-        J10_0 = w[2208 + lane]
-        J10_1 = w[2240 + lane]
-        J10_2 = w[2272 + lane]
-        J10_3 = w[2304 + lane]
-        J10_4 = w[2336 + lane]
-        J10_5 = w[2368 + lane]
-        Q10 = w[2400 + lane]
-        F20 = w[3744 + lane]
-        J20_0 = w[3776 + lane]
-        J20_1 = w[3808 + lane]
-        J20_2 = w[3840 + lane]
-        J20_3 = w[3872 + lane]
-        J20_4 = w[3904 + lane]
-        J20_5 = w[3936 + lane]
-        Q20 = w[3968 + lane]
-        F30 = w[5312 + lane]
-        J30_0 = w[5344 + lane]
-        J30_1 = w[5376 + lane]
-        J30_2 = w[5408 + lane]
-        J30_3 = w[5440 + lane]
-        J30_4 = w[5472 + lane]
-        J30_5 = w[5504 + lane]
-        Q30 = w[5536 + lane]
-        F40 = w[6880 + lane]
-        J40_0 = w[6912 + lane]
-        J40_1 = w[6944 + lane]
-        J40_2 = w[6976 + lane]
-        J40_3 = w[7008 + lane]
-        J40_4 = w[7040 + lane]
-        J40_5 = w[7072 + lane]
-        Q40 = w[7104 + lane]
-        F50 = w[8448 + lane]
-        J50_0 = w[8480 + lane]
-        J50_1 = w[8512 + lane]
-        J50_2 = w[8544 + lane]
-        J50_3 = w[8576 + lane]
-        J50_4 = w[8608 + lane]
-        J50_5 = w[8640 + lane]
-        Q50 = w[8672 + lane]
+        F10 = w[2272 + lane]
+        J10_0 = w[2304 + lane]
+        J10_1 = w[2336 + lane]
+        J10_2 = w[2368 + lane]
+        J10_3 = w[2400 + lane]
+        J10_4 = w[2432 + lane]
+        J10_5 = w[2464 + lane]
+        Q10 = w[2496 + lane]
+        F20 = w[3936 + lane]
+        J20_0 = w[3968 + lane]
+        J20_1 = w[4000 + lane]
+        J20_2 = w[4032 + lane]
+        J20_3 = w[4064 + lane]
+        J20_4 = w[4096 + lane]
+        J20_5 = w[4128 + lane]
+        Q20 = w[4160 + lane]
+        F30 = w[5600 + lane]
+        J30_0 = w[5632 + lane]
+        J30_1 = w[5664 + lane]
+        J30_2 = w[5696 + lane]
+        J30_3 = w[5728 + lane]
+        J30_4 = w[5760 + lane]
+        J30_5 = w[5792 + lane]
+        Q30 = w[5824 + lane]
+        F40 = w[7264 + lane]
+        J40_0 = w[7296 + lane]
+        J40_1 = w[7328 + lane]
+        J40_2 = w[7360 + lane]
+        J40_3 = w[7392 + lane]
+        J40_4 = w[7424 + lane]
+        J40_5 = w[7456 + lane]
+        Q40 = w[7488 + lane]
+        F50 = w[8928 + lane]
+        J50_0 = w[8960 + lane]
+        J50_1 = w[8992 + lane]
+        J50_2 = w[9024 + lane]
+        J50_3 = w[9056 + lane]
+        J50_4 = w[9088 + lane]
+        J50_5 = w[9120 + lane]
+        Q50 = w[9152 + lane]
         s1 = F00/Q00
         s3 = F10/Q10
         s5 = F20/Q20
@@ -409,23 +409,23 @@ def _command(w, n):
         s92 = -1.0e-12*(J50_4 * J50_4)
         s94 = -1.0e-12*(J50_5 * J50_5)
         s95 = -1.0e-12*(J50_0 * J50_0) - 1.0e-12*(J50_1 * J50_1) + (Q50 * Q50) + s88 + s90 + s92 + s94
-        w[10912 + lane] = s1
-        w[10944 + lane] = s3
-        w[10976 + lane] = s5
-        w[11008 + lane] = s7
-        w[11040 + lane] = s9
-        w[11072 + lane] = s11
-        w[11104 + lane] = s25
-        w[11136 + lane] = s39
-        w[11168 + lane] = s53
-        w[11200 + lane] = s67
-        w[11232 + lane] = s81
-        w[11264 + lane] = s95
+        w[11488 + lane] = s1
+        w[11520 + lane] = s3
+        w[11552 + lane] = s5
+        w[11584 + lane] = s7
+        w[11616 + lane] = s9
+        w[11648 + lane] = s11
+        w[11680 + lane] = s25
+        w[11712 + lane] = s39
+        w[11744 + lane] = s53
+        w[11776 + lane] = s67
+        w[11808 + lane] = s81
+        w[11840 + lane] = s95
 
 
 @straight
 def _errors(w, k, n):
-    """Derivatives of a limb's equations by errors, by deflections (45 operations)."""
+    """Derivatives of a limb's equations by errors, by deflections (48 operations)."""
     A_x = k[3]
     A_y = k[4]
     A_z = k[5]
@@ -470,6 +470,9 @@ def _errors(w, k, n):
         w[1472 + lane] = s112
         w[1504 + lane] = s85
         w[1536 + lane] = s93
+        w[1568 + lane] = -s114
+        w[1600 + lane] = -s113
+        w[1632 + lane] = -s112
 
 
 @straight
@@ -482,36 +485,36 @@ def _inverse_of_rows(w, n):
         J00_3 = w[736 + lane]
         J00_4 = w[768 + lane]
         J00_5 = w[800 + lane]
-        J10_0 = w[2208 + lane]
-        J10_1 = w[2240 + lane]
-        J10_2 = w[2272 + lane]
-        J10_3 = w[2304 + lane]
-        J10_4 = w[2336 + lane]
-        J10_5 = w[2368 + lane]
-        J20_0 = w[3776 + lane]
-        J20_1 = w[3808 + lane]
-        J20_2 = w[3840 + lane]
-        J20_3 = w[3872 + lane]
-        J20_4 = w[3904 + lane]
-        J20_5 = w[3936 + lane]
-        J30_0 = w[5344 + lane]
-        J30_1 = w[5376 + lane]
-        J30_2 = w[5408 + lane]
-        J30_3 = w[5440 + lane]
-        J30_4 = w[5472 + lane]
-        J30_5 = w[5504 + lane]
-        J40_0 = w[6912 + lane]
-        J40_1 = w[6944 + lane]
-        J40_2 = w[6976 + lane]
-        J40_3 = w[7008 + lane]
-        J40_4 = w[7040 + lane]
-        J40_5 = w[7072 + lane]
-        J50_0 = w[8480 + lane]
-        J50_1 = w[8512 + lane]
-        J50_2 = w[8544 + lane]
-        J50_3 = w[8576 + lane]
-        J50_4 = w[8608 + lane]
-        J50_5 = w[8640 + lane]
+        J10_0 = w[2304 + lane]
+        J10_1 = w[2336 + lane]
+        J10_2 = w[2368 + lane]
+        J10_3 = w[2400 + lane]
+        J10_4 = w[2432 + lane]
+        J10_5 = w[2464 + lane]
+        J20_0 = w[3968 + lane]
+        J20_1 = w[4000 + lane]
+        J20_2 = w[4032 + lane]
+        J20_3 = w[4064 + lane]
+        J20_4 = w[4096 + lane]
+        J20_5 = w[4128 + lane]
+        J30_0 = w[5632 + lane]
+        J30_1 = w[5664 + lane]
+        J30_2 = w[5696 + lane]
+        J30_3 = w[5728 + lane]
+        J30_4 = w[5760 + lane]
+        J30_5 = w[5792 + lane]
+        J40_0 = w[7296 + lane]
+        J40_1 = w[7328 + lane]
+        J40_2 = w[7360 + lane]
+        J40_3 = w[7392 + lane]
+        J40_4 = w[7424 + lane]
+        J40_5 = w[7456 + lane]
+        J50_0 = w[8960 + lane]
+        J50_1 = w[8992 + lane]
+        J50_2 = w[9024 + lane]
+        J50_3 = w[9056 + lane]
+        J50_4 = w[9088 + lane]
+        J50_5 = w[9120 + lane]
         G_cof_00 = J10_1*J20_2 - J10_2*J20_1
         G_cof_01 = -J10_0*J20_2 + J10_2*J20_0
         G_cof_02 = J10_0*J20_1 - J10_1*J20_0
@@ -612,44 +615,44 @@ def _inverse_of_rows(w, n):
         s357 = (J40_3 * J40_3) + (J40_4 * J40_4) + (J40_5 * J40_5)
         s361 = (J50_3 * J50_3) + (J50_4 * J50_4) + (J50_5 * J50_5)
         s363 = (Si_det_00 * Si_det_00) - 1.0e-12*s357*s361*((J30_3 * J30_3) + (J30_4 * J30_4) + (J30_5 * J30_5))
-        w[9696 + lane] = s265
-        w[9728 + lane] = s269
-        w[9760 + lane] = s273
-        w[9792 + lane] = s277
-        w[9824 + lane] = s281
-        w[9856 + lane] = s285
-        w[9888 + lane] = s289
-        w[9920 + lane] = s293
-        w[9952 + lane] = s297
-        w[9984 + lane] = s301
-        w[10016 + lane] = s305
-        w[10048 + lane] = s309
-        w[10080 + lane] = s313
-        w[10112 + lane] = s317
-        w[10144 + lane] = s321
-        w[10176 + lane] = s325
-        w[10208 + lane] = s329
-        w[10240 + lane] = s333
-        w[10272 + lane] = -V_00
-        w[10304 + lane] = -V_01
-        w[10336 + lane] = -V_02
-        w[10368 + lane] = -Si_inv_00
-        w[10400 + lane] = -Si_inv_01
-        w[10432 + lane] = -Si_inv_02
-        w[10464 + lane] = -V_10
-        w[10496 + lane] = -V_11
-        w[10528 + lane] = -V_12
-        w[10560 + lane] = -Si_inv_10
-        w[10592 + lane] = -Si_inv_11
-        w[10624 + lane] = -Si_inv_12
-        w[10656 + lane] = -V_20
-        w[10688 + lane] = -V_21
-        w[10720 + lane] = -V_22
-        w[10752 + lane] = -Si_inv_20
-        w[10784 + lane] = -Si_inv_21
-        w[10816 + lane] = -Si_inv_22
-        w[10848 + lane] = s348
-        w[10880 + lane] = s363
+        w[10272 + lane] = s265
+        w[10304 + lane] = s269
+        w[10336 + lane] = s273
+        w[10368 + lane] = s277
+        w[10400 + lane] = s281
+        w[10432 + lane] = s285
+        w[10464 + lane] = s289
+        w[10496 + lane] = s293
+        w[10528 + lane] = s297
+        w[10560 + lane] = s301
+        w[10592 + lane] = s305
+        w[10624 + lane] = s309
+        w[10656 + lane] = s313
+        w[10688 + lane] = s317
+        w[10720 + lane] = s321
+        w[10752 + lane] = s325
+        w[10784 + lane] = s329
+        w[10816 + lane] = s333
+        w[10848 + lane] = -V_00
+        w[10880 + lane] = -V_01
+        w[10912 + lane] = -V_02
+        w[10944 + lane] = -Si_inv_00
+        w[10976 + lane] = -Si_inv_01
+        w[11008 + lane] = -Si_inv_02
+        w[11040 + lane] = -V_10
+        w[11072 + lane] = -V_11
+        w[11104 + lane] = -V_12
+        w[11136 + lane] = -Si_inv_10
+        w[11168 + lane] = -Si_inv_11
+        w[11200 + lane] = -Si_inv_12
+        w[11232 + lane] = -V_20
+        w[11264 + lane] = -V_21
+        w[11296 + lane] = -V_22
+        w[11328 + lane] = -Si_inv_20
+        w[11360 + lane] = -Si_inv_21
+        w[11392 + lane] = -Si_inv_22
+        w[11424 + lane] = s348
+        w[11456 + lane] = s363
 
 
 @straight
@@ -662,13 +665,13 @@ def _move(w, n):
         cx = w[224 + lane]
         cy = w[256 + lane]
         cz = w[288 + lane]
-        y0 = w[9408 + lane]
-        y1 = w[9440 + lane]
-        y2 = w[9472 + lane]
-        y3 = w[9504 + lane]
-        y4 = w[9536 + lane]
-        y5 = w[9568 + lane]
-        going = w[9664 + lane]
+        y0 = w[9984 + lane]
+        y1 = w[10016 + lane]
+        y2 = w[10048 + lane]
+        y3 = w[10080 + lane]
+        y4 = w[10112 + lane]
+        y5 = w[10144 + lane]
+        going = w[10240 + lane]
         new_00 = -going*y0 + px
         new_10 = -going*y1 + py
         new_20 = -going*y2 + pz
@@ -704,80 +707,80 @@ def _move(w, n):
         s70 = s46*(new_30 + s64)
         s73 = s46*(s47 + s60) + 1
         w[128 + lane] = new_00
-        w[1696 + lane] = new_00
-        w[3264 + lane] = new_00
-        w[4832 + lane] = new_00
-        w[6400 + lane] = new_00
-        w[7968 + lane] = new_00
+        w[1792 + lane] = new_00
+        w[3456 + lane] = new_00
+        w[5120 + lane] = new_00
+        w[6784 + lane] = new_00
+        w[8448 + lane] = new_00
         w[160 + lane] = new_10
-        w[1728 + lane] = new_10
-        w[3296 + lane] = new_10
-        w[4864 + lane] = new_10
-        w[6432 + lane] = new_10
-        w[8000 + lane] = new_10
+        w[1824 + lane] = new_10
+        w[3488 + lane] = new_10
+        w[5152 + lane] = new_10
+        w[6816 + lane] = new_10
+        w[8480 + lane] = new_10
         w[192 + lane] = new_20
-        w[1760 + lane] = new_20
-        w[3328 + lane] = new_20
-        w[4896 + lane] = new_20
-        w[6464 + lane] = new_20
-        w[8032 + lane] = new_20
+        w[1856 + lane] = new_20
+        w[3520 + lane] = new_20
+        w[5184 + lane] = new_20
+        w[6848 + lane] = new_20
+        w[8512 + lane] = new_20
         w[224 + lane] = new_30
         w[256 + lane] = new_40
         w[288 + lane] = new_50
         w[320 + lane] = s51
-        w[1888 + lane] = s51
-        w[3456 + lane] = s51
-        w[5024 + lane] = s51
-        w[6592 + lane] = s51
-        w[8160 + lane] = s51
+        w[1984 + lane] = s51
+        w[3648 + lane] = s51
+        w[5312 + lane] = s51
+        w[6976 + lane] = s51
+        w[8640 + lane] = s51
         w[352 + lane] = s54
-        w[1920 + lane] = s54
-        w[3488 + lane] = s54
-        w[5056 + lane] = s54
-        w[6624 + lane] = s54
-        w[8192 + lane] = s54
+        w[2016 + lane] = s54
+        w[3680 + lane] = s54
+        w[5344 + lane] = s54
+        w[7008 + lane] = s54
+        w[8672 + lane] = s54
         w[384 + lane] = s57
-        w[1952 + lane] = s57
-        w[3520 + lane] = s57
-        w[5088 + lane] = s57
-        w[6656 + lane] = s57
-        w[8224 + lane] = s57
+        w[2048 + lane] = s57
+        w[3712 + lane] = s57
+        w[5376 + lane] = s57
+        w[7040 + lane] = s57
+        w[8704 + lane] = s57
         w[416 + lane] = s59
-        w[1984 + lane] = s59
-        w[3552 + lane] = s59
-        w[5120 + lane] = s59
-        w[6688 + lane] = s59
-        w[8256 + lane] = s59
+        w[2080 + lane] = s59
+        w[3744 + lane] = s59
+        w[5408 + lane] = s59
+        w[7072 + lane] = s59
+        w[8736 + lane] = s59
         w[448 + lane] = s63
-        w[2016 + lane] = s63
-        w[3584 + lane] = s63
-        w[5152 + lane] = s63
-        w[6720 + lane] = s63
-        w[8288 + lane] = s63
+        w[2112 + lane] = s63
+        w[3776 + lane] = s63
+        w[5440 + lane] = s63
+        w[7104 + lane] = s63
+        w[8768 + lane] = s63
         w[480 + lane] = s66
-        w[2048 + lane] = s66
-        w[3616 + lane] = s66
-        w[5184 + lane] = s66
-        w[6752 + lane] = s66
-        w[8320 + lane] = s66
+        w[2144 + lane] = s66
+        w[3808 + lane] = s66
+        w[5472 + lane] = s66
+        w[7136 + lane] = s66
+        w[8800 + lane] = s66
         w[512 + lane] = s68
-        w[2080 + lane] = s68
-        w[3648 + lane] = s68
-        w[5216 + lane] = s68
-        w[6784 + lane] = s68
-        w[8352 + lane] = s68
+        w[2176 + lane] = s68
+        w[3840 + lane] = s68
+        w[5504 + lane] = s68
+        w[7168 + lane] = s68
+        w[8832 + lane] = s68
         w[544 + lane] = s70
-        w[2112 + lane] = s70
-        w[3680 + lane] = s70
-        w[5248 + lane] = s70
-        w[6816 + lane] = s70
-        w[8384 + lane] = s70
+        w[2208 + lane] = s70
+        w[3872 + lane] = s70
+        w[5536 + lane] = s70
+        w[7200 + lane] = s70
+        w[8864 + lane] = s70
         w[576 + lane] = s73
-        w[2144 + lane] = s73
-        w[3712 + lane] = s73
-        w[5280 + lane] = s73
-        w[6848 + lane] = s73
-        w[8416 + lane] = s73
+        w[2240 + lane] = s73
+        w[3904 + lane] = s73
+        w[5568 + lane] = s73
+        w[7232 + lane] = s73
+        w[8896 + lane] = s73
 
 
 @straight
@@ -791,7 +794,7 @@ def _meet(w, n):
         p_4 = w[1120 + lane]
         p_5 = w[1152 + lane]
         good = (abs(p_0) < math.inf) & (abs(p_1) < math.inf) & (abs(p_2) < math.inf) & (abs(p_3) < math.inf) & (abs(p_4) < math.inf) & (abs(p_5) < math.inf)
-        w[9664 + lane] = 0.0 if good else 1.0
+        w[10240 + lane] = 0.0 if good else 1.0
         w[128 + lane] = p_0
         w[160 + lane] = p_1
         w[192 + lane] = p_2
@@ -805,16 +808,16 @@ def _settle(w, n):
     """Mark the poses for which this step was the last; return how many go on."""
     left = 0
     for lane in range(n):
-        done = (w[9600 + lane] > 0.0)
-        done = done & (w[9632 + lane] > 0.0)
-        done = done & (abs(w[9408 + lane]) < STEP_DONE)
-        done = done & (abs(w[9440 + lane]) < STEP_DONE)
-        done = done & (abs(w[9472 + lane]) < STEP_DONE)
-        done = done & (abs(w[9504 + lane]) < TURN_DONE)
-        done = done & (abs(w[9536 + lane]) < TURN_DONE)
-        done = done & (abs(w[9568 + lane]) < TURN_DONE)
-        going = 0.0 if done | (w[9664 + lane] == 0.0) else 1.0
-        w[9664 + lane] = going
+        done = (w[10176 + lane] > 0.0)
+        done = done & (w[10208 + lane] > 0.0)
+        done = done & (abs(w[9984 + lane]) < STEP_DONE)
+        done = done & (abs(w[10016 + lane]) < STEP_DONE)
+        done = done & (abs(w[10048 + lane]) < STEP_DONE)
+        done = done & (abs(w[10080 + lane]) < TURN_DONE)
+        done = done & (abs(w[10112 + lane]) < TURN_DONE)
+        done = done & (abs(w[10144 + lane]) < TURN_DONE)
+        going = 0.0 if done | (w[10240 + lane] == 0.0) else 1.0
+        w[10240 + lane] = going
         left += 1 if going == 1.0 else 0
     return left
 
@@ -824,22 +827,22 @@ def _settle_joints(w, n):
     """Mark the poses for which this step was the last; return how many go on."""
     left = 0
     for lane in range(n):
-        done = (w[11104 + lane] > 0.0)
-        done = done & (w[11136 + lane] > 0.0)
-        done = done & (w[11168 + lane] > 0.0)
-        done = done & (w[11200 + lane] > 0.0)
-        done = done & (w[11232 + lane] > 0.0)
-        done = done & (w[11264 + lane] > 0.0)
-        done = done & (abs(w[10912 + lane]) < STEP_DONE)
-        done = done & (abs(w[10944 + lane]) < STEP_DONE)
-        done = done & (abs(w[10976 + lane]) < STEP_DONE)
-        done = done & (abs(w[11008 + lane]) < STEP_DONE)
-        done = done & (abs(w[11040 + lane]) < STEP_DONE)
-        done = done & (abs(w[11072 + lane]) < STEP_DONE)
+        done = (w[11680 + lane] > 0.0)
+        done = done & (w[11712 + lane] > 0.0)
+        done = done & (w[11744 + lane] > 0.0)
+        done = done & (w[11776 + lane] > 0.0)
+        done = done & (w[11808 + lane] > 0.0)
+        done = done & (w[11840 + lane] > 0.0)
+        done = done & (abs(w[11488 + lane]) < STEP_DONE)
+        done = done & (abs(w[11520 + lane]) < STEP_DONE)
+        done = done & (abs(w[11552 + lane]) < STEP_DONE)
+        done = done & (abs(w[11584 + lane]) < STEP_DONE)
+        done = done & (abs(w[11616 + lane]) < STEP_DONE)
+        done = done & (abs(w[11648 + lane]) < STEP_DONE)
 
 
-        going = 0.0 if done | (w[9664 + lane] == 0.0) else 1.0
-        w[9664 + lane] = going
+        going = 0.0 if done | (w[10240 + lane] == 0.0) else 1.0
+        w[10240 + lane] = going
         left += 1 if going == 1.0 else 0
     return left
 
@@ -848,39 +851,39 @@ def _settle_joints(w, n):
 def _begin(w, n):
     """Let all poses go."""
     for lane in range(n):
-        w[9664 + lane] = 1.0
-        w[9408 + lane] = 0.0
-        w[9440 + lane] = 0.0
-        w[9472 + lane] = 0.0
-        w[9504 + lane] = 0.0
-        w[9536 + lane] = 0.0
-        w[9568 + lane] = 0.0
+        w[10240 + lane] = 1.0
+        w[9984 + lane] = 0.0
+        w[10016 + lane] = 0.0
+        w[10048 + lane] = 0.0
+        w[10080 + lane] = 0.0
+        w[10112 + lane] = 0.0
+        w[10144 + lane] = 0.0
 
 
 @straight
 def _started(w, n):
     """Take joints, and coordinates that no command asks for, from the simplified machine."""
     for lane in range(n):
-        w[9664 + lane] = 0.0 if (abs(w[1184 + lane]) < math.inf) & (abs(w[2752 + lane]) < math.inf) & (abs(w[4320 + lane]) < math.inf) & (abs(w[5888 + lane]) < math.inf) & (abs(w[7456 + lane]) < math.inf) & (abs(w[9024 + lane]) < math.inf) else 1.0
+        w[10240 + lane] = 0.0 if (abs(w[1184 + lane]) < math.inf) & (abs(w[2848 + lane]) < math.inf) & (abs(w[4512 + lane]) < math.inf) & (abs(w[6176 + lane]) < math.inf) & (abs(w[7840 + lane]) < math.inf) & (abs(w[9504 + lane]) < math.inf) else 1.0
         w[0 + lane] = w[1184 + lane]
-        w[1568 + lane] = w[2752 + lane]
-        w[3136 + lane] = w[4320 + lane]
-        w[4704 + lane] = w[5888 + lane]
-        w[6272 + lane] = w[7456 + lane]
-        w[7840 + lane] = w[9024 + lane]
+        w[1664 + lane] = w[2848 + lane]
+        w[3328 + lane] = w[4512 + lane]
+        w[4992 + lane] = w[6176 + lane]
+        w[6656 + lane] = w[7840 + lane]
+        w[8320 + lane] = w[9504 + lane]
 
 
 @straight
 def _turn_joints(w, n):
     """Move the joints by a step; what it does to the platform is left to `_move`."""
     for lane in range(n):
-        going = w[9664 + lane]
-        w[0 + lane] -= going * w[10912 + lane]
-        w[1568 + lane] -= going * w[10944 + lane]
-        w[3136 + lane] -= going * w[10976 + lane]
-        w[4704 + lane] -= going * w[11008 + lane]
-        w[6272 + lane] -= going * w[11040 + lane]
-        w[7840 + lane] -= going * w[11072 + lane]
+        going = w[10240 + lane]
+        w[0 + lane] -= going * w[11488 + lane]
+        w[1664 + lane] -= going * w[11520 + lane]
+        w[3328 + lane] -= going * w[11552 + lane]
+        w[4992 + lane] -= going * w[11584 + lane]
+        w[6656 + lane] -= going * w[11616 + lane]
+        w[8320 + lane] -= going * w[11648 + lane]
 
 @straight
 def _place(x, w, first, last, n):
@@ -906,7 +909,7 @@ def _unload(w, x, status, first, last):
         x[6 * (first + lane) + 3] = w[224 + lane]
         x[6 * (first + lane) + 4] = w[256 + lane]
         x[6 * (first + lane) + 5] = w[288 + lane]
-        is_open = w[9664 + lane] != 0.0
+        is_open = w[10240 + lane] != 0.0
         status[first + lane] = OPEN if is_open else SOLVED
         left += 1 if is_open else 0
     return left
@@ -916,22 +919,22 @@ def _unload(w, x, status, first, last):
 def _unload_joints(w, q, first, last):
     for lane in range(last - first + 1):
         q[6 * (first + lane) + 0] = w[0 + lane]
-        q[6 * (first + lane) + 1] = w[1568 + lane]
-        q[6 * (first + lane) + 2] = w[3136 + lane]
-        q[6 * (first + lane) + 3] = w[4704 + lane]
-        q[6 * (first + lane) + 4] = w[6272 + lane]
-        q[6 * (first + lane) + 5] = w[7840 + lane]
+        q[6 * (first + lane) + 1] = w[1664 + lane]
+        q[6 * (first + lane) + 2] = w[3328 + lane]
+        q[6 * (first + lane) + 3] = w[4992 + lane]
+        q[6 * (first + lane) + 4] = w[6656 + lane]
+        q[6 * (first + lane) + 5] = w[8320 + lane]
 
 
 @fast
 def _forward(q, tool, k, x, status, warm):
     w = scratch(WORK + SPARE)
-    w_1 = w[0:1568]
-    w_2 = w[1568:3136]
-    w_3 = w[3136:4704]
-    w_4 = w[4704:6272]
-    w_5 = w[6272:7840]
-    w_6 = w[7840:9408]
+    w_1 = w[0:1664]
+    w_2 = w[1664:3328]
+    w_3 = w[3328:4992]
+    w_4 = w[4992:6656]
+    w_5 = w[6656:8320]
+    w_6 = w[8320:9984]
     if len(tool) == 1:
         hold(tool, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
@@ -997,12 +1000,12 @@ def forward(q, tool, k, x, status, warm):
 @fast
 def _inverse(target, tool, k, x, q, status):
     w = scratch(WORK + SPARE)
-    w_1 = w[0:1568]
-    w_2 = w[1568:3136]
-    w_3 = w[3136:4704]
-    w_4 = w[4704:6272]
-    w_5 = w[6272:7840]
-    w_6 = w[7840:9408]
+    w_1 = w[0:1664]
+    w_2 = w[1664:3328]
+    w_3 = w[3328:4992]
+    w_4 = w[4992:6656]
+    w_5 = w[6656:8320]
+    w_6 = w[8320:9984]
     if len(tool) == 1:
         hold(tool, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
@@ -1322,12 +1325,12 @@ def simplified_inverse(target, tool, k, q, status):
 @fast
 def _sensitivity(x, q, tool, k, S_p, S_q, status):
     w, by_errors, by_joints = scratch(WORK + SPARE), S_p.reshape(S_p.size), S_q.reshape(S_q.size)
-    w_1 = w[0:1568]
-    w_2 = w[1568:3136]
-    w_3 = w[3136:4704]
-    w_4 = w[4704:6272]
-    w_5 = w[6272:7840]
-    w_6 = w[7840:9408]
+    w_1 = w[0:1664]
+    w_2 = w[1664:3328]
+    w_3 = w[3328:4992]
+    w_4 = w[4992:6656]
+    w_5 = w[6656:8320]
+    w_6 = w[8320:9984]
     if len(tool) == 1:
         hold(tool, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
@@ -1388,30 +1391,31 @@ def _products(w, S_p, S_q, status, first, last):
     """Multiply the inverse and the derivatives by errors and joints; return how many poses are left open."""
     wide()
     for lane in range(0, last - first + 1, 8):
-        whole = 288 * (first + lane + 8) <= S_p.size  # else the last poses are written through scratch
-        to, at = (S_p, 288 * (first + lane)) if whole else (w[WORK:], 0)
+        whole = 396 * (first + lane + 8) <= S_p.size  # else the last poses are written through scratch
+        to, at = (S_p, 396 * (first + lane)) if whole else (w[WORK:], 0)
         for i in range(6):
-            outer(to, at + 8 * i + 0, 288, 48, 6, w, (9696 + 32 * i + lane, ), 192, (1312 + 1568 * i + lane, ), 32, 8)
+            outer(to, at + 11 * i + 0, 396, 66, 6, w, (10272 + 32 * i + lane, ), 192, (1312 + 1664 * i + lane, ), 32, 8)
+            outer(to, at + 11 * i + 8, 396, 66, 6, w, (10272 + 32 * i + lane, ), 192, (1568 + 1664 * i + lane, ), 32, 3)
         if not whole:
-            for c in range(288 * (last + 1 - first - lane)):
-                S_p[288 * (first + lane) + c] = to[c]
+            for c in range(396 * (last + 1 - first - lane)):
+                S_p[396 * (first + lane) + c] = to[c]
         whole = 36 * (first + lane + 8) <= S_q.size  # else the last poses are written through scratch
         to, at = (S_q, 36 * (first + lane)) if whole else (w[WORK:], 0)
         for i in range(6):
-            outer(to, at + 1 * i + 0, 36, 6, 6, w, (9696 + 32 * i + lane, ), 192, (832 + 1568 * i + lane, ), 32, 1)
+            outer(to, at + 1 * i + 0, 36, 6, 6, w, (10272 + 32 * i + lane, ), 192, (832 + 1664 * i + lane, ), 32, 1)
         if not whole:
             for c in range(36 * (last + 1 - first - lane)):
                 S_q[36 * (first + lane) + c] = to[c]
     left = 0
     for lane in range(last - first + 1):
-        regular = (w[10848 + lane] > 0.0) & (w[10880 + lane] > 0.0)
+        regular = (w[11424 + lane] > 0.0) & (w[11456 + lane] > 0.0)
         status[first + lane] = SOLVED if regular else OPEN
         left += 0 if regular else 1
     return left
 
 
 def sensitivity(x, q, tool, k, S_p, S_q, status):
-    """Fill the derivatives of the exact pose: S_p (N, 6, 48) by errors and deflections, S_q (N, 6, 6) by joints.
+    """Fill the derivatives of the exact pose: S_p (N, 6, 66) by errors and deflections, S_q (N, 6, 6) by joints.
 
     Rows are px, py, pz, then turns of the platform about
     the axes of {O}. Columns of S_p run limb by limb. S_q is the velocity Jacobian.
@@ -1419,7 +1423,7 @@ def sensitivity(x, q, tool, k, S_p, S_q, status):
     if _sensitivity(x, q, tool, k, S_p, S_q, status):
         left = np.flatnonzero(status == OPEN)
         by_errors, by_joints, of = (
-            np.empty((len(left), 6, 48)), np.empty((len(left), 6, 6)),
+            np.empty((len(left), 6, 66)), np.empty((len(left), 6, 6)),
             np.zeros(len(left), dtype=np.int64),
         )
         vectorised.sensitivity(

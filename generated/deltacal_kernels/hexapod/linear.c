@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/hexapod.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/linear.c.jinja; sha256 of both 21c6367f31cee244; SymPy 1.14.0.
+ * Template templates/mechanism/linear.c.jinja; sha256 of both 8e4e0fb658e95bb0; SymPy 1.14.0.
  *
  * The linear compensator: nominal joints, and the change that holds the reference point to first order in the errors.
  * An export puts the machine's numbers before this text: DELTACAL_K[6][15], DELTACAL_TOOL[3],
@@ -30,7 +30,7 @@ static void nominal_joint(const double *x, double q, const double *tool, const d
     const double ty = tool[1];
     const double tz = tool[2];
     const double s40 = k[0];
-    const double s43 = k[1];
+    const double s44 = k[1];
     const double down = k[2];
     const double A_x = k[3];
     const double A_y = k[4];
@@ -50,14 +50,14 @@ static void nominal_joint(const double *x, double q, const double *tool, const d
     const double s25 = (1.0/2.0)*cy*cz;
     const double R_33 = s7*(s21 + s8) + 1;
     const double b_x = s40 - tx;
-    const double b_y = s43 - ty;
+    const double b_y = s44 - ty;
     const double b_z = down - tz;
-    const double s99 = ((-A_x + R_11*b_x + b_y*s7*(-cz + s13) + b_z*s7*(cy + s16) + px) * (-A_x + R_11*b_x + b_y*s7*(-cz + s13) + b_z*s7*(cy + s16) + px));
-    const double s103 = ((-A_y + R_22*b_y + b_x*s7*(cz + s13) + b_z*s7*(-cx + s25) + py) * (-A_y + R_22*b_y + b_x*s7*(cz + s13) + b_z*s7*(-cx + s25) + py));
-    const double s107 = ((R_33*b_z + b_x*s7*(-cy + s16) + b_y*s7*(cx + s25) + pz - up) * (R_33*b_z + b_x*s7*(-cy + s16) + b_y*s7*(cx + s25) + pz - up));
-    const double s110 = -leg + sqrt(s103 + s107 + s99);
+    const double s102 = ((-A_x + R_11*b_x + b_y*s7*(-cz + s13) + b_z*s7*(cy + s16) + px) * (-A_x + R_11*b_x + b_y*s7*(-cz + s13) + b_z*s7*(cy + s16) + px));
+    const double s106 = ((-A_y + R_22*b_y + b_x*s7*(cz + s13) + b_z*s7*(-cx + s25) + py) * (-A_y + R_22*b_y + b_x*s7*(cz + s13) + b_z*s7*(-cx + s25) + py));
+    const double s110 = ((R_33*b_z + b_x*s7*(-cy + s16) + b_y*s7*(cx + s25) + pz - up) * (R_33*b_z + b_x*s7*(-cy + s16) + b_y*s7*(cx + s25) + pz - up));
+    const double s113 = -leg + sqrt(s102 + s106 + s110);
     (void)(q);
-    out[0] = s110;
+    out[0] = s113;
 }
 
 /* Per rod of one nominal limb: change of the closure by all errors, derivatives by rotation and joint (96 operations). */
@@ -73,15 +73,15 @@ static void linear(const double *x, double q, const double *tool, const double *
     const double ty = tool[1];
     const double tz = tool[2];
     const double s40 = k[0];
-    const double s43 = k[1];
+    const double s44 = k[1];
     const double down = k[2];
     const double A_x = k[3];
     const double A_y = k[4];
     const double up = k[5];
     const double leg = k[6];
-    const double bx = k[7];
-    const double by = k[8];
-    const double bz = k[9];
+    const double b_x_errors = k[7];
+    const double b_y_errors = k[8];
+    const double b_z_errors = k[9];
     const double ax = k[10];
     const double ay = k[11];
     const double az = k[12];
@@ -107,14 +107,14 @@ static void linear(const double *x, double q, const double *tool, const double *
     const double R_32 = s7*(cx + s25);
     const double R_33 = s7*(s21 + s8) + 1;
     const double b_x = s40 - tx;
-    const double b_y = s43 - ty;
+    const double b_y = s44 - ty;
     const double b_z = down - tz;
     const double B_x = R_11*b_x + R_12*b_y + R_13*b_z + px;
-    const double B_x_errors = R_11*bx + R_12*by + R_13*bz;
+    const double B_x_errors = R_11*b_x_errors + R_12*b_y_errors + R_13*b_z_errors;
     const double B_y = R_21*b_x + R_22*b_y + R_23*b_z + py;
-    const double B_y_errors = R_21*bx + R_22*by + R_23*bz;
+    const double B_y_errors = R_21*b_x_errors + R_22*b_y_errors + R_23*b_z_errors;
     const double B_z = R_31*b_x + R_32*b_y + R_33*b_z + pz;
-    const double B_z_errors = R_31*bx + R_32*by + R_33*bz;
+    const double B_z_errors = R_31*b_x_errors + R_32*b_y_errors + R_33*b_z_errors;
     const double d_x = -A_x + B_x;
     const double d_x_errors = B_x_errors - ax;
     const double d_y = -A_y + B_y;
@@ -123,8 +123,8 @@ static void linear(const double *x, double q, const double *tool, const double *
     const double d_z_errors = B_z_errors - az;
     const double s = leg + q;
     const double s_errors = dl + q*scale;
-    const double s115 = d_x*d_x_errors + d_y*d_y_errors + d_z*d_z_errors - s*s_errors;
-    out[0] = s115;
+    const double s118 = d_x*d_x_errors + d_y*d_y_errors + d_z*d_z_errors - s*s_errors;
+    out[0] = s118;
     out[7] = -s;
 }
 

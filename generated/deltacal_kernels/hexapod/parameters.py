@@ -1,7 +1,7 @@
 """Tables of `hexapod`: Hexapod of Gough and Stewart, six legs.
 
 Generated from derive/mechanisms/hexapod.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both f23ef9e92bd4b9b3; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both f37253888971bf20; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 
@@ -54,6 +54,9 @@ ERRORS = (
 
 # the same, one for all limbs: the next columns, equal in every row
 COMMON = (
+    ("tx", "mm", "reference point, x in {O'}", 0.1),
+    ("ty", "mm", "reference point, y in {O'}", 0.1),
+    ("tz", "mm", "reference point, z in {O'}", 0.1),
 )
 
 # (name, unit, meaning): the last columns, zero on a rigid machine
@@ -73,6 +76,12 @@ MASSES = (
 
 # model: names of its parameters
 MODELS = {
+    "hexapod/51": (
+"ax_1", "ay_1", "az_1", "bx_1", "by_1", "bz_1", "l_1", "scale_1", "ax_2", "ay_2", "az_2", "bx_2", "by_2", "bz_2",
+"l_2", "scale_2", "ax_3", "ay_3", "az_3", "bx_3", "by_3", "bz_3", "l_3", "scale_3", "ax_4", "ay_4", "az_4", "bx_4",
+"by_4", "bz_4", "l_4", "scale_4", "ax_5", "ay_5", "az_5", "bx_5", "by_5", "bz_5", "l_5", "scale_5", "ax_6", "ay_6",
+"az_6", "bx_6", "by_6", "bz_6", "l_6", "scale_6", "tx", "ty", "tz",
+    ),
     "hexapod/48": (
 "ax_1", "ay_1", "az_1", "bx_1", "by_1", "bz_1", "l_1", "scale_1", "ax_2", "ay_2", "az_2", "bx_2", "by_2", "bz_2",
 "l_2", "scale_2", "ax_3", "ay_3", "az_3", "bx_3", "by_3", "bz_3", "l_3", "scale_3", "ax_4", "ay_4", "az_4", "bx_4",

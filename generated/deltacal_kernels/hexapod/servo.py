@@ -1,7 +1,7 @@
 """Commands of one pose for a servo loop: `hexapod`, Hexapod of Gough and Stewart, six legs.
 
 Generated from derive/mechanisms/hexapod.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/servo.py.jinja; sha256 of both 81a1a6977ae16a58; SymPy 1.14.0.
+Template templates/mechanism/servo.py.jinja; sha256 of both aba75a7a5d1767fd; SymPy 1.14.0.
 
 Numbers in, numbers out, for loops that Numba compiles and for calls from Python: an array, or a part of one, costs more
 than a command. Lengths in mm, angles in rad. Target, machine and scratch stand in one flat array w, which `exact_state`
@@ -29,7 +29,7 @@ few = partial(straight, wide=False)  # lanes: the limbs
 
 
 def _exact_constants(p):
-    """Return k (M, 6, 13), what no target changes, from p (34 operations).
+    """Return k (M, 6, 13), what no target changes, from p (37 operations).
 
     p is that of the calibrated machine.
     """
@@ -50,12 +50,15 @@ def _exact_constants(p):
     bz = p[12]
     dl = p[13]
     scale = p[14]
+    dtx = p[15]
+    dty = p[16]
+    dtz = p[17]
     A_x = ax + base*np.cos(alpha)
     A_y = ay + base*np.sin(alpha)
     A_z = az + up
-    s44 = bx + plate*np.cos(beta)
-    s48 = by + plate*np.sin(beta)
-    s50 = bz + down
+    s44 = bx - dtx + plate*np.cos(beta)
+    s48 = by - dty + plate*np.sin(beta)
+    s50 = bz + down - dtz
     s67 = scale + 1
     s69 = dl + leg
     s75 = (1.0 / (s67 * s67))
@@ -83,7 +86,7 @@ def _exact_constants(p):
 
 
 def _linear_constants(p):
-    """Return k (M, 6, 15), what no target changes, from p (11 operations).
+    """Return k (M, 6, 15), what no target changes, from p (14 operations).
 
     p is that of the calibrated machine: its geometry is taken as nominal, its errors as what to compensate.
     """
@@ -104,37 +107,43 @@ def _linear_constants(p):
     bz = p[12]
     dl = p[13]
     scale = p[14]
+    dtx = p[15]
+    dty = p[16]
+    dtz = p[17]
     by_s35 = np.cos(alpha)
     A_x = base*by_s35
     by_s37 = np.sin(alpha)
     A_y = base*by_s37
     by_s39 = np.cos(beta)
     by_s40 = by_s39*plate
-    by_s42 = np.sin(beta)
-    by_s43 = by_s42*plate
-    s71 = -ax + bx
-    s74 = -ay + by
-    s77 = -az + bz
+    b_x_errors = bx - dtx
+    by_s43 = np.sin(beta)
+    by_s44 = by_s43*plate
+    b_y_errors = by - dty
+    b_z_errors = bz - dtz
+    s74 = -ax + b_x_errors
+    s77 = -ay + b_y_errors
+    s80 = -az + b_z_errors
     k[0] = by_s40
-    k[1] = by_s43
+    k[1] = by_s44
     k[2] = down
     k[3] = A_x
     k[4] = A_y
     k[5] = up
     k[6] = leg
-    k[7] = by
-    k[8] = bz
-    k[9] = bx
-    k[10] = s71
-    k[11] = s74
-    k[12] = s77
+    k[7] = b_y_errors
+    k[8] = b_z_errors
+    k[9] = b_x_errors
+    k[10] = s74
+    k[11] = s77
+    k[12] = s80
     k[13] = scale
     k[14] = dl
     return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
 def linear_constants(p):
-    """Return k (M, 6, 15), what `linear` reads that no pose changes, from p (8 operations).
+    """Return k (M, 6, 15), what `linear` reads that no pose changes, from p (11 operations).
 
     p is that of the calibrated machine: its geometry is taken as nominal, its errors as what to compensate.
     """
@@ -155,20 +164,26 @@ def linear_constants(p):
     bz = p[12]
     dl = p[13]
     scale = p[14]
+    dtx = p[15]
+    dty = p[16]
+    dtz = p[17]
     A_x = base*np.cos(alpha)
     A_y = base*np.sin(alpha)
     s40 = plate*np.cos(beta)
-    s43 = plate*np.sin(beta)
+    b_x_errors = bx - dtx
+    s44 = plate*np.sin(beta)
+    b_y_errors = by - dty
+    b_z_errors = bz - dtz
     k[0] = s40
-    k[1] = s43
+    k[1] = s44
     k[2] = down
     k[3] = A_x
     k[4] = A_y
     k[5] = up
     k[6] = leg
-    k[7] = bx
-    k[8] = by
-    k[9] = bz
+    k[7] = b_x_errors
+    k[8] = b_y_errors
+    k[9] = b_z_errors
     k[10] = ax
     k[11] = ay
     k[12] = az
@@ -178,7 +193,7 @@ def linear_constants(p):
 
 
 def exact_state(p, tool, sign):
-    """Return the array w of `exact_command` for a machine: p (6, 15), tool (3,), sign (6,) of the controller's joints."""
+    """Return the array w of `exact_command` for a machine: p (6, 18), tool (3,), sign (6,) of the controller's joints."""
     w = aligned(192)
     w[20:23], w[24:30] = tool, sign
     k = _exact_constants(p[None])[0]
@@ -187,7 +202,7 @@ def exact_state(p, tool, sign):
 
 
 def linear_state(p, tool, sign):
-    """Return the array w of `linear_command` for a machine: p (6, 15), tool (3,), sign (6,) of the controller's joints."""
+    """Return the array w of `linear_command` for a machine: p (6, 18), tool (3,), sign (6,) of the controller's joints."""
     w = aligned(208)
     w[20:23], w[24:30] = tool, sign
     k = _linear_constants(p[None])[0]
@@ -434,7 +449,7 @@ def _linear_joint(w, lanes):
     tz = w[22]
     for lane in range(lanes):
         by_s40 = w[88 + lane]
-        by_s43 = w[96 + lane]
+        by_s44 = w[96 + lane]
         down = w[104 + lane]
         A_x = w[112 + lane]
         A_y = w[120 + lane]
@@ -470,16 +485,16 @@ def _linear_joint(w, lanes):
         by_s33 = by_s32*by_s7
         R_33 = by_s33 + 1
         b_x = by_s40 - tx
-        b_y = by_s43 - ty
+        b_y = by_s44 - ty
         b_z = down - tz
-        by_s46 = R_11*b_x
-        by_s55 = R_22*b_y
-        by_s64 = R_33*b_z
-        s209 = ((-A_y + b_x*by_s19*by_s7 + b_z*by_s26*by_s7 + by_s55 + py) * (-A_y + b_x*by_s19*by_s7 + b_z*by_s26*by_s7 + by_s55 + py))
-        s213 = ((b_x*by_s28*by_s7 + b_y*by_s30*by_s7 + by_s64 + pz - up) * (b_x*by_s28*by_s7 + b_y*by_s30*by_s7 + by_s64 + pz - up))
-        s214 = s209 + s213 + ((-A_x + b_y*by_s14*by_s7 + b_z*by_s17*by_s7 + by_s46 + px) * (-A_x + b_y*by_s14*by_s7 + b_z*by_s17*by_s7 + by_s46 + px))
-        s216 = -leg + math.sqrt(s214)
-        w[40 + lane] = s216
+        by_s49 = R_11*b_x
+        by_s58 = R_22*b_y
+        by_s67 = R_33*b_z
+        s212 = ((-A_y + b_x*by_s19*by_s7 + b_z*by_s26*by_s7 + by_s58 + py) * (-A_y + b_x*by_s19*by_s7 + b_z*by_s26*by_s7 + by_s58 + py))
+        s216 = ((b_x*by_s28*by_s7 + b_y*by_s30*by_s7 + by_s67 + pz - up) * (b_x*by_s28*by_s7 + b_y*by_s30*by_s7 + by_s67 + pz - up))
+        s217 = s212 + s216 + ((-A_x + b_y*by_s14*by_s7 + b_z*by_s17*by_s7 + by_s49 + px) * (-A_x + b_y*by_s14*by_s7 + b_z*by_s17*by_s7 + by_s49 + px))
+        s219 = -leg + math.sqrt(s217)
+        w[40 + lane] = s219
 
 
 @few
@@ -496,18 +511,18 @@ def _linear_rows(w, lanes):
     tz = w[22]
     for lane in range(lanes):
         by_s40 = w[88 + lane]
-        by_s43 = w[96 + lane]
+        by_s44 = w[96 + lane]
         down = w[104 + lane]
         A_x = w[112 + lane]
         A_y = w[120 + lane]
         up = w[128 + lane]
         leg = w[136 + lane]
-        by = w[144 + lane]
-        bz = w[152 + lane]
-        bx = w[160 + lane]
-        s71 = w[168 + lane]
-        s74 = w[176 + lane]
-        s77 = w[184 + lane]
+        b_y_errors = w[144 + lane]
+        b_z_errors = w[152 + lane]
+        b_x_errors = w[160 + lane]
+        s74 = w[168 + lane]
+        s77 = w[176 + lane]
+        s80 = w[184 + lane]
         scale = w[192 + lane]
         dl = w[200 + lane]
         q = w[40 + lane]
@@ -547,128 +562,128 @@ def _linear_rows(w, lanes):
         by_s33 = by_s32*by_s7
         R_33 = by_s33 + 1
         b_x = by_s40 - tx
-        b_y = by_s43 - ty
+        b_y = by_s44 - ty
         b_z = down - tz
-        by_s46 = R_11*b_x
-        by_s47 = R_12*b_y
-        by_s48 = R_13*b_z
-        by_s54 = R_21*b_x
-        by_s55 = R_22*b_y
-        by_s56 = R_23*b_z
-        by_s62 = R_31*b_x
-        by_s63 = R_32*b_y
-        by_s64 = R_33*b_z
-        d_x = -A_x + by_s46 + by_s47 + by_s48 + px
-        d_x_errors = R_12*by + R_13*bz + bx*by_s11 + s71
-        d_y = -A_y + by_s54 + by_s55 + by_s56 + py
-        d_y_errors = R_21*bx + R_23*bz + by*by_s23 + s74
-        d_z = by_s62 + by_s63 + by_s64 + pz - up
-        d_z_errors = R_31*bx + R_32*by + by_s33*bz + s77
+        by_s49 = R_11*b_x
+        by_s50 = R_12*b_y
+        by_s51 = R_13*b_z
+        by_s57 = R_21*b_x
+        by_s58 = R_22*b_y
+        by_s59 = R_23*b_z
+        by_s65 = R_31*b_x
+        by_s66 = R_32*b_y
+        by_s67 = R_33*b_z
+        d_x = -A_x + by_s49 + by_s50 + by_s51 + px
+        d_x_errors = R_12*b_y_errors + R_13*b_z_errors + b_x_errors*by_s11 + s74
+        d_y = -A_y + by_s57 + by_s58 + by_s59 + py
+        d_y_errors = R_21*b_x_errors + R_23*b_z_errors + b_y_errors*by_s23 + s77
+        d_z = by_s65 + by_s66 + by_s67 + pz - up
+        d_z_errors = R_31*b_x_errors + R_32*b_y_errors + b_z_errors*by_s33 + s80
         s = leg + q
         s_errors = dl + q*scale
-        by_s96 = (1.0 / (by_s6 * by_s6))
-        R_11_cx = -0.5*by_s10*by_s96*cx
-        by_s98 = -by_s7*cy
-        by_s99 = -0.5*by_s10*by_s96*cy
-        R_11_cy = by_s98 + by_s99
-        by_s101 = -by_s7*cz
-        by_s102 = -0.5*by_s10*by_s96*cz
-        R_11_cz = by_s101 + by_s102
-        by_s104 = 0.5*by_s7*cy
-        by_s105 = -0.5*by_s14*by_s96*cx
-        R_12_cx = by_s104 + by_s105
-        by_s107 = 0.5*by_s7*cx
-        by_s108 = -0.5*by_s14*by_s96*cy
-        R_12_cy = by_s107 + by_s108
-        by_s110 = -0.5*by_s14*by_s96*cz
-        R_12_cz = by_s110 - by_s7
-        by_s112 = 0.5*by_s7*cz
-        by_s113 = -0.5*by_s17*by_s96*cx
-        R_13_cx = by_s112 + by_s113
-        by_s115 = -0.5*by_s17*by_s96*cy
-        R_13_cy = by_s115 + by_s7
-        by_s117 = -0.5*by_s17*by_s96*cz
-        R_13_cz = by_s107 + by_s117
-        by_s119 = -0.5*by_s19*by_s96*cx
-        R_21_cx = by_s104 + by_s119
-        by_s121 = -0.5*by_s19*by_s96*cy
-        R_21_cy = by_s107 + by_s121
-        by_s123 = -0.5*by_s19*by_s96*cz
-        R_21_cz = by_s123 + by_s7
-        by_s125 = -by_s7*cx
-        by_s126 = -0.5*by_s22*by_s96*cx
-        R_22_cx = by_s125 + by_s126
-        R_22_cy = -0.5*by_s22*by_s96*cy
-        by_s129 = -0.5*by_s22*by_s96*cz
-        R_22_cz = by_s101 + by_s129
-        by_s131 = -0.5*by_s26*by_s96*cx
-        R_23_cx = by_s131 - by_s7
-        by_s133 = -0.5*by_s26*by_s96*cy
-        R_23_cy = by_s112 + by_s133
-        by_s135 = -0.5*by_s26*by_s96*cz
-        R_23_cz = by_s104 + by_s135
-        by_s137 = -0.5*by_s28*by_s96*cx
-        R_31_cx = by_s112 + by_s137
-        by_s139 = -0.5*by_s28*by_s96*cy
-        R_31_cy = by_s139 - by_s7
-        by_s141 = -0.5*by_s28*by_s96*cz
-        R_31_cz = by_s107 + by_s141
-        by_s143 = -0.5*by_s30*by_s96*cx
-        R_32_cx = by_s143 + by_s7
-        by_s145 = -0.5*by_s30*by_s96*cy
-        R_32_cy = by_s112 + by_s145
-        by_s147 = -0.5*by_s30*by_s96*cz
-        R_32_cz = by_s104 + by_s147
-        by_s149 = -0.5*by_s32*by_s96*cx
-        R_33_cx = by_s125 + by_s149
-        by_s151 = -0.5*by_s32*by_s96*cy
-        R_33_cy = by_s151 + by_s98
-        R_33_cz = -0.5*by_s32*by_s96*cz
-        by_s154 = R_11_cx*b_x
-        by_s155 = R_12_cx*b_y
-        by_s156 = R_13_cx*b_z
-        B_x_cx = by_s154 + by_s155 + by_s156
-        by_s158 = R_11_cy*b_x
-        by_s159 = R_12_cy*b_y
-        by_s160 = R_13_cy*b_z
-        B_x_cy = by_s158 + by_s159 + by_s160
-        by_s162 = R_11_cz*b_x
-        by_s163 = R_12_cz*b_y
-        by_s164 = R_13_cz*b_z
-        B_x_cz = by_s162 + by_s163 + by_s164
-        by_s166 = R_21_cx*b_x
-        by_s167 = R_22_cx*b_y
-        by_s168 = R_23_cx*b_z
-        B_y_cx = by_s166 + by_s167 + by_s168
-        by_s170 = R_21_cy*b_x
-        by_s171 = R_22_cy*b_y
-        by_s172 = R_23_cy*b_z
-        B_y_cy = by_s170 + by_s171 + by_s172
-        by_s174 = R_21_cz*b_x
-        by_s175 = R_22_cz*b_y
-        by_s176 = R_23_cz*b_z
-        B_y_cz = by_s174 + by_s175 + by_s176
-        by_s178 = R_31_cx*b_x
-        by_s179 = R_32_cx*b_y
-        by_s180 = R_33_cx*b_z
-        B_z_cx = by_s178 + by_s179 + by_s180
-        by_s182 = R_31_cy*b_x
-        by_s183 = R_32_cy*b_y
-        by_s184 = R_33_cy*b_z
-        B_z_cy = by_s182 + by_s183 + by_s184
-        by_s186 = R_31_cz*b_x
-        by_s187 = R_32_cz*b_y
-        by_s188 = R_33_cz*b_z
-        B_z_cz = by_s186 + by_s187 + by_s188
-        s223 = d_x*d_x_errors + d_y*d_y_errors + d_z*d_z_errors - s*s_errors
-        s229 = -1.0e-12*((B_x_cx*d_x + B_y_cx*d_y + B_z_cx*d_z) * (B_x_cx*d_x + B_y_cx*d_y + B_z_cx*d_z))
-        s235 = -1.0e-12*((B_x_cy*d_x + B_y_cy*d_y + B_z_cy*d_z) * (B_x_cy*d_x + B_y_cy*d_y + B_z_cy*d_z))
-        s241 = -1.0e-12*((B_x_cz*d_x + B_y_cz*d_y + B_z_cz*d_z) * (B_x_cz*d_x + B_y_cz*d_y + B_z_cz*d_z))
-        s248 = -1.0e-12*(d_z * d_z)
-        s249 = -1.0e-12*(d_x * d_x) - 1.0e-12*(d_y * d_y) + (s * s) + s229 + s235 + s241 + s248
-        w[64 + lane] = s223
+        by_s99 = (1.0 / (by_s6 * by_s6))
+        R_11_cx = -0.5*by_s10*by_s99*cx
+        by_s101 = -by_s7*cy
+        by_s102 = -0.5*by_s10*by_s99*cy
+        R_11_cy = by_s101 + by_s102
+        by_s104 = -by_s7*cz
+        by_s105 = -0.5*by_s10*by_s99*cz
+        R_11_cz = by_s104 + by_s105
+        by_s107 = 0.5*by_s7*cy
+        by_s108 = -0.5*by_s14*by_s99*cx
+        R_12_cx = by_s107 + by_s108
+        by_s110 = 0.5*by_s7*cx
+        by_s111 = -0.5*by_s14*by_s99*cy
+        R_12_cy = by_s110 + by_s111
+        by_s113 = -0.5*by_s14*by_s99*cz
+        R_12_cz = by_s113 - by_s7
+        by_s115 = 0.5*by_s7*cz
+        by_s116 = -0.5*by_s17*by_s99*cx
+        R_13_cx = by_s115 + by_s116
+        by_s118 = -0.5*by_s17*by_s99*cy
+        R_13_cy = by_s118 + by_s7
+        by_s120 = -0.5*by_s17*by_s99*cz
+        R_13_cz = by_s110 + by_s120
+        by_s122 = -0.5*by_s19*by_s99*cx
+        R_21_cx = by_s107 + by_s122
+        by_s124 = -0.5*by_s19*by_s99*cy
+        R_21_cy = by_s110 + by_s124
+        by_s126 = -0.5*by_s19*by_s99*cz
+        R_21_cz = by_s126 + by_s7
+        by_s128 = -by_s7*cx
+        by_s129 = -0.5*by_s22*by_s99*cx
+        R_22_cx = by_s128 + by_s129
+        R_22_cy = -0.5*by_s22*by_s99*cy
+        by_s132 = -0.5*by_s22*by_s99*cz
+        R_22_cz = by_s104 + by_s132
+        by_s134 = -0.5*by_s26*by_s99*cx
+        R_23_cx = by_s134 - by_s7
+        by_s136 = -0.5*by_s26*by_s99*cy
+        R_23_cy = by_s115 + by_s136
+        by_s138 = -0.5*by_s26*by_s99*cz
+        R_23_cz = by_s107 + by_s138
+        by_s140 = -0.5*by_s28*by_s99*cx
+        R_31_cx = by_s115 + by_s140
+        by_s142 = -0.5*by_s28*by_s99*cy
+        R_31_cy = by_s142 - by_s7
+        by_s144 = -0.5*by_s28*by_s99*cz
+        R_31_cz = by_s110 + by_s144
+        by_s146 = -0.5*by_s30*by_s99*cx
+        R_32_cx = by_s146 + by_s7
+        by_s148 = -0.5*by_s30*by_s99*cy
+        R_32_cy = by_s115 + by_s148
+        by_s150 = -0.5*by_s30*by_s99*cz
+        R_32_cz = by_s107 + by_s150
+        by_s152 = -0.5*by_s32*by_s99*cx
+        R_33_cx = by_s128 + by_s152
+        by_s154 = -0.5*by_s32*by_s99*cy
+        R_33_cy = by_s101 + by_s154
+        R_33_cz = -0.5*by_s32*by_s99*cz
+        by_s157 = R_11_cx*b_x
+        by_s158 = R_12_cx*b_y
+        by_s159 = R_13_cx*b_z
+        B_x_cx = by_s157 + by_s158 + by_s159
+        by_s161 = R_11_cy*b_x
+        by_s162 = R_12_cy*b_y
+        by_s163 = R_13_cy*b_z
+        B_x_cy = by_s161 + by_s162 + by_s163
+        by_s165 = R_11_cz*b_x
+        by_s166 = R_12_cz*b_y
+        by_s167 = R_13_cz*b_z
+        B_x_cz = by_s165 + by_s166 + by_s167
+        by_s169 = R_21_cx*b_x
+        by_s170 = R_22_cx*b_y
+        by_s171 = R_23_cx*b_z
+        B_y_cx = by_s169 + by_s170 + by_s171
+        by_s173 = R_21_cy*b_x
+        by_s174 = R_22_cy*b_y
+        by_s175 = R_23_cy*b_z
+        B_y_cy = by_s173 + by_s174 + by_s175
+        by_s177 = R_21_cz*b_x
+        by_s178 = R_22_cz*b_y
+        by_s179 = R_23_cz*b_z
+        B_y_cz = by_s177 + by_s178 + by_s179
+        by_s181 = R_31_cx*b_x
+        by_s182 = R_32_cx*b_y
+        by_s183 = R_33_cx*b_z
+        B_z_cx = by_s181 + by_s182 + by_s183
+        by_s185 = R_31_cy*b_x
+        by_s186 = R_32_cy*b_y
+        by_s187 = R_33_cy*b_z
+        B_z_cy = by_s185 + by_s186 + by_s187
+        by_s189 = R_31_cz*b_x
+        by_s190 = R_32_cz*b_y
+        by_s191 = R_33_cz*b_z
+        B_z_cz = by_s189 + by_s190 + by_s191
+        s226 = d_x*d_x_errors + d_y*d_y_errors + d_z*d_z_errors - s*s_errors
+        s232 = -1.0e-12*((B_x_cx*d_x + B_y_cx*d_y + B_z_cx*d_z) * (B_x_cx*d_x + B_y_cx*d_y + B_z_cx*d_z))
+        s238 = -1.0e-12*((B_x_cy*d_x + B_y_cy*d_y + B_z_cy*d_z) * (B_x_cy*d_x + B_y_cy*d_y + B_z_cy*d_z))
+        s244 = -1.0e-12*((B_x_cz*d_x + B_y_cz*d_y + B_z_cz*d_z) * (B_x_cz*d_x + B_y_cz*d_y + B_z_cz*d_z))
+        s251 = -1.0e-12*(d_z * d_z)
+        s252 = -1.0e-12*(d_x * d_x) - 1.0e-12*(d_y * d_y) + (s * s) + s232 + s238 + s244 + s251
+        w[64 + lane] = s226
         w[72 + lane] = -s
-        w[80 + lane] = s249
+        w[80 + lane] = s252
 
 
 @few

@@ -1,7 +1,7 @@
 """Generalised loads of `hexapod`: Hexapod of Gough and Stewart, six legs.
 
 Generated from derive/mechanisms/hexapod.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/statics.py.jinja; sha256 of both c807863d05e932c1; SymPy 1.14.0.
+Template templates/mechanism/statics.py.jinja; sha256 of both 19284250d24fbed9; SymPy 1.14.0.
 
 Plain NumPy over all poses at once. masses: proximal proximal_com distal_rod platform; payload (N,) in kg at the
 reference point. Every weight has its own acceleration field [m/s^2], fields (N, 3 weights): gravity for all, or minus
@@ -45,6 +45,9 @@ def limb(x, q, tool, p, masses, fields):
     bz = p[:, 12]
     dl = p[:, 13]
     scale = p[:, 14]
+    dtx = p[:, 15]
+    dty = p[:, 16]
+    dtz = p[:, 17]
     f0x = fields[:, 0]
     f0y = fields[:, 1]
     f0z = fields[:, 2]
@@ -83,9 +86,9 @@ def limb(x, q, tool, p, masses, fields):
     A_x = ax + base*np.cos(alpha)
     A_y = ay + base*np.sin(alpha)
     A_z = az + up
-    b_x = bx + plate*np.cos(beta) - tx
-    b_y = by + plate*np.sin(beta) - ty
-    b_z = bz + down - tz
+    b_x = bx - dtx + plate*np.cos(beta) - tx
+    b_y = by - dty + plate*np.sin(beta) - ty
+    b_z = bz + down - dtz - tz
     B_x = R_11*b_x + R_12*b_y + R_13*b_z + px
     B_y = R_21*b_x + R_22*b_y + R_23*b_z + py
     B_z = R_31*b_x + R_32*b_y + R_33*b_z + pz
@@ -194,6 +197,9 @@ def limb_points(x, q, tool, p, masses):
     bz = p[:, 12]
     dl = p[:, 13]
     scale = p[:, 14]
+    dtx = p[:, 15]
+    dty = p[:, 16]
+    dtz = p[:, 17]
     s0 = (cx * cx)
     s2 = (cy * cy)
     s4 = (cz * cz)
@@ -216,9 +222,9 @@ def limb_points(x, q, tool, p, masses):
     A_x = ax + base*np.cos(alpha)
     A_y = ay + base*np.sin(alpha)
     A_z = az + up
-    b_x = bx + plate*np.cos(beta) - tx
-    b_y = by + plate*np.sin(beta) - ty
-    b_z = bz + down - tz
+    b_x = bx - dtx + plate*np.cos(beta) - tx
+    b_y = by - dty + plate*np.sin(beta) - ty
+    b_z = bz + down - dtz - tz
     B_x = R_11*b_x + R_12*b_y + R_13*b_z + px
     B_y = R_21*b_x + R_22*b_y + R_23*b_z + py
     B_z = R_31*b_x + R_32*b_y + R_33*b_z + pz

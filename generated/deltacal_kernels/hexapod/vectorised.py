@@ -1,7 +1,7 @@
 """Kinematics of `hexapod` in plain NumPy: Hexapod of Gough and Stewart, six legs.
 
 Generated from derive/mechanisms/hexapod.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/vectorised.py.jinja; sha256 of both 514126c310bb0bec; SymPy 1.14.0.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both 888fd8fb6da91105; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
 small job is done before Numba would be loaded, and the compiled kernels have an independent check.
@@ -20,7 +20,7 @@ PIVOT_SINGULAR = 1e-9  # of the largest entry of its matrix, in mm
 
 
 def constants(p):
-    """Return k (M, 6, 13), what no pose changes, from p (48 operations).
+    """Return k (M, 6, 13), what no pose changes, from p (51 operations).
 
     All rows at once.
     """
@@ -41,12 +41,15 @@ def constants(p):
     bz = p[12]
     dl = p[13]
     scale = p[14]
+    dtx = p[15]
+    dty = p[16]
+    dtz = p[17]
     A_x = ax + base*np.cos(alpha)
     A_y = ay + base*np.sin(alpha)
     A_z = az + up
-    s44 = bx + plate*np.cos(beta)
-    s48 = by + plate*np.sin(beta)
-    s50 = bz + down
+    s44 = bx - dtx + plate*np.cos(beta)
+    s48 = by - dty + plate*np.sin(beta)
+    s50 = bz + down - dtz
     s67 = scale + 1
     s69 = dl + leg
     s167 = (1.0 / (s67 * s67))
@@ -187,7 +190,7 @@ def _newton(x, q, tool, k):
 
 
 def _parameters(x, q, tool, k):
-    """Per rod of one limb: derivatives of the closure by errors, by deflections: (8, limbs, N)."""
+    """Per rod of one limb: derivatives of the closure by errors, by deflections: (11, limbs, N)."""
     px = x[0]
     py = x[1]
     pz = x[2]
@@ -245,7 +248,7 @@ def _parameters(x, q, tool, k):
     s112 = R_13*s91 + R_23*s89 + R_33*s87
     s113 = R_12*s91 + R_22*s89 + R_32*s87
     s114 = R_11*s91 + R_21*s89 + R_31*s87
-    out = np.zeros((8, *(k.shape[1], x.shape[-1])))
+    out = np.zeros((11, *(k.shape[1], x.shape[-1])))
     out[0] = -s91
     out[1] = -s89
     out[2] = -s87
@@ -254,6 +257,9 @@ def _parameters(x, q, tool, k):
     out[5] = s112
     out[6] = s85
     out[7] = s93
+    out[8] = -s114
+    out[9] = -s113
+    out[10] = -s112
     return out
 
 
@@ -455,7 +461,7 @@ def sensitivity(x, q, tool, k, S_p, S_q, status):
     status[:] = np.where(regular, SOLVED, SINGULAR)
     unit[:, :, ~regular] = np.nan
     by_limb = unit.reshape(6, 6, 1, -1).transpose(3, 1, 0, 2)
-    J_p = _parameters(*_turned(x, q, tool, k)).reshape(1, 8, 6, -1).transpose(3, 2, 0, 1)
+    J_p = _parameters(*_turned(x, q, tool, k)).reshape(1, 11, 6, -1).transpose(3, 2, 0, 1)
     S_p[:] = (by_limb @ J_p).transpose(0, 2, 1, 3).reshape(S_p.shape)
     S_q[:] = np.moveaxis((unit * J_q).reshape(6, 6, 1, -1).sum(axis=2), -1, 0)
     W = _spin(x.T).T.reshape(-1, 3, 3)

@@ -15,7 +15,7 @@ import numpy as np
 
 from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.estimation.fitted import Fit
-from deltacal_gen.estimation.prior import BROAD, with_prior
+from deltacal_gen.estimation.prior import BROAD, unsaid, with_prior
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.residuals import (
     Repeats,
@@ -39,6 +39,7 @@ CONVERGED = 1e-4  # of chi2: what a last step could still gain; parameters then 
 # a direction that the data hardly see converges slowly where the model bends within its noise: no step of it matters
 PATIENCE, SETTLED, UNSETTLED = 30, 5e-2, 1.0
 ESTIMATED_AT = 3  # iteration in which at the latest the weight of repeats is estimated: the fit is then close
+ANY = 1e3  # ordinary errors: a prior of encoder offsets that never pulls
 FEW = 12  # lines that a message lists
 SPOILT = 30.0  # times the median residual: a reading so far off is named when a fit does not converge
 SPARE_READINGS = 3  # scalars beyond the unknowns, without which no noise can be told from errors
@@ -286,15 +287,17 @@ def rough(problem: Problem, robust: bool = True, must_converge: bool = True) -> 
     """Fit the mechanism's smallest model, the encoder offsets, starting from the robot file.
 
     A mechanism without a smaller model than its full one is fitted whole, with as much as drawings leave open, or its
-    file. Readings of joints see none of it.
+    file. Where nobody says where the measured point is, it is found beside. Readings of joints see none of it.
     """
     models = problem.mechanism.models
     smallest = () if problem.readings.kind.sees_joints else min(models.values(), key=len)
-    coarse, whole = problem.with_names(smallest), len(smallest) == max(map(len, models.values()))
-    if whole:
-        broad = np.maximum(BROAD * coarse.scale, with_prior(coarse, problem.robot)[0].scale)
+    left_open = unsaid(problem.with_names(max(models.values(), key=len))) if smallest else ()
+    coarse = problem.with_names(tuple(dict.fromkeys((*smallest, *left_open))))
+    whole = len(smallest) == max(map(len, models.values()))
+    if whole or left_open:
+        broad = np.maximum((BROAD if whole else ANY) * coarse.scale, with_prior(coarse, problem.robot)[0].scale)
         coarse = dataclasses.replace(coarse, scale=broad)
-    solver = Prior() if whole else LeastSquares()
+    solver = Prior() if whole or left_open else LeastSquares()
     return fit(coarse, solver, robust=robust, weigh_repeats=False, must_converge=must_converge)
 
 

@@ -18,9 +18,19 @@ def with_prior(problem: Problem, robot: Robot, broad: float = BROAD) -> tuple[Pr
 
     Of what the robot file does not say the prior is as `broad` as so many ordinary errors.
     """
-    given = tuple(n in robot.tolerance for n in problem.names)
+    given, left_open = tuple(n in robot.tolerance for n in problem.names), unsaid(problem)
     sd = [
-        robot.tolerance.get(n, UNSAID if n in robot.unsaid else broad * s)
+        robot.tolerance.get(n, UNSAID if n in left_open else broad * s)
         for n, s in zip(problem.names, problem.scale, strict=True)
     ]
     return dataclasses.replace(problem, scale=np.array(sd)), given
+
+
+def unsaid(problem: Problem) -> tuple[str, ...]:
+    """Return the free source errors of which nobody has said more than nothing: where the measured point is.
+
+    The sidecar of a gauge tells to which point of the platform it is fixed.
+    """
+    if problem.readings.kind.measured_point(problem.recording.measurement) is not None:
+        return ()
+    return tuple(n for n in problem.robot.unsaid if n in problem.names)

@@ -12,6 +12,7 @@ import numpy as np
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.estimation.fit import SPARE_READINGS, fit, rough
 from deltacal_gen.estimation.fitted import Fit
+from deltacal_gen.estimation.prior import unsaid
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.residuals import lengths
 from deltacal_gen.estimation.solvers import Prior
@@ -363,7 +364,7 @@ def _explained(problem: Problem, off: float) -> list[str]:
     few = problem.some(POSES_LOOKED_AT, np.random.default_rng(SEED))
     mistakes = itertools.chain(_mistakes(few), _shifted(problem))
     tried = [(_aligned_error(changed), words, changed) for words, changed in mistakes]
-    most = (1.0 if problem.robot.unsaid else NEARER) * _aligned_error(few)  # a tool that is not said is off as well
+    most = (1.0 if unsaid(problem) else NEARER) * _aligned_error(few)  # a tool that is not said is off as well
     near = sorted((t for t in tried if t[0] < most), key=lambda t: t[0])[:MOST_FITTED]
     out = []
     for _, words, changed in near:

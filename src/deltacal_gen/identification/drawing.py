@@ -9,7 +9,7 @@ import numpy as np
 from deltacal_gen.errors import NoSolutionError
 from deltacal_gen.estimation.fit import fit
 from deltacal_gen.estimation.fitted import Fit
-from deltacal_gen.estimation.prior import with_prior
+from deltacal_gen.estimation.prior import unsaid, with_prior
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.files.robot import robot_size
 from deltacal_gen.identification.noise import coordinate_sigma, noise
@@ -56,7 +56,7 @@ def as_read(at: Fit, *, robust: bool = True) -> Fit | None:
 def in_file(at: Fit) -> Array:
     """Return the source errors of the robot file's machine; of what the file does not say, as a fit has it."""
     errors, mechanism = at.problem.reference.copy(), at.problem.mechanism
-    own = [mechanism.index[name] for name in at.problem.robot.unsaid]
+    own = [mechanism.index[name] for name in unsaid(at.problem)]
     errors[own] = at.errors[own]
     return errors
 

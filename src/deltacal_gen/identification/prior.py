@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from deltacal_gen.estimation.fitted import Fit
+from deltacal_gen.estimation.prior import unsaid
 from deltacal_gen.estimation.system import system
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.machine.registry import Array
@@ -28,7 +29,8 @@ def learned(at: Fit, robot: Robot) -> Array:
     Q = np.linalg.qr(np.hstack([A_m, A_p[:, n:]]))[0]
     A, y = A_p[:, :n] - Q @ (Q.T @ A_p[:, :n]), target - Q @ (Q.T @ target)
     G, g = A.T @ A, A.T @ y
-    free = np.array([name not in robot.tolerance and name not in robot.unsaid for name in problem.names])
+    left_open = unsaid(problem)
+    free = np.array([name not in robot.tolerance and name not in left_open for name in problem.names])
 
     def evidence(factor: float) -> float:
         scale = np.where(free, factor, 1.0)

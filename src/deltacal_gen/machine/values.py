@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     import pandas as pd
 
 POSITION = ("x_mm", "y_mm", "z_mm")
-TOOL_ERRORS = ("tx", "ty", "tz")  # of a chain; platforms have theirs known
+TOOL_ERRORS = ("tx", "ty", "tz")  # of machines that turn what they carry
 ROTATION = ("rx_deg", "ry_deg", "rz_deg")
 UNKNOWN = math.nan  # what is to be found
 LONG_BEFORE = 10.0  # times a recording's own length: stamps that begin so late count from another day
@@ -227,11 +227,11 @@ class Robot:
 
     @property
     def unsaid(self) -> tuple[str, ...]:
-        """The source errors of which the file leaves open more than parts are off: the tool point of a chain.
+        """The source errors of which the file leaves open more than parts are off, of machines that have them.
 
         No reflector sits in the origin of a flange: a tool point of zeros is one that nobody has written down.
         """
-        return TOOL_ERRORS if self.links and not self.tool.any() else ()
+        return () if self.tool.any() else TOOL_ERRORS
 
     @property
     def geometric_limits(self) -> np.ndarray | None:

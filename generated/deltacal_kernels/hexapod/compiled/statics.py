@@ -1,7 +1,7 @@
 """Generalised loads of `hexapod`: Hexapod of Gough and Stewart, six legs, row by row for Numba.
 
 Generated from derive/mechanisms/hexapod.py by "deltacal kernels". Do not edit.
-Template templates/rows.py.jinja; sha256 of both f988c23e79d2a11c; SymPy 1.14.0.
+Template templates/rows.py.jinja; sha256 of both 930463229b451057; SymPy 1.14.0.
 
 Functions of the NumPy module of this name, to be called likewise but for defaults, on C-contiguous arrays. Each is a
 loop over rows; an array of one row counts for all of them.
@@ -23,7 +23,7 @@ fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
 
 @straight
 def _limb(x, q, tool, p, masses, fields, x_every, q_every, tool_every, p_every, fields_every, out, many):
-    """248 operations a row."""
+    """251 operations a row."""
     for lane in range(many):
         px = x[x_every * lane + 0]
         py = x[x_every * lane + 1]
@@ -53,6 +53,9 @@ def _limb(x, q, tool, p, masses, fields, x_every, q_every, tool_every, p_every, 
         bz = p[p_every * lane + 12]
         dl = p[p_every * lane + 13]
         scale = p[p_every * lane + 14]
+        dtx = p[p_every * lane + 15]
+        dty = p[p_every * lane + 16]
+        dtz = p[p_every * lane + 17]
         f0x = fields[fields_every * lane + 0]
         f0y = fields[fields_every * lane + 1]
         f0z = fields[fields_every * lane + 2]
@@ -91,9 +94,9 @@ def _limb(x, q, tool, p, masses, fields, x_every, q_every, tool_every, p_every, 
         A_x = ax + base*cosine(alpha)
         A_y = ay + base*sine(alpha)
         A_z = az + up
-        b_x = bx + plate*cosine(beta) - tx
-        b_y = by + plate*sine(beta) - ty
-        b_z = bz + down - tz
+        b_x = bx - dtx + plate*cosine(beta) - tx
+        b_y = by - dty + plate*sine(beta) - ty
+        b_z = bz + down - dtz - tz
         B_x = R_11*b_x + R_12*b_y + R_13*b_z + px
         B_y = R_21*b_x + R_22*b_y + R_23*b_z + py
         B_z = R_31*b_x + R_32*b_y + R_33*b_z + pz
@@ -189,7 +192,7 @@ def limb(x, q, tool, p, masses, fields):
 
 @straight
 def _limb_points(x, q, tool, p, masses, x_every, q_every, tool_every, p_every, out, many):
-    """107 operations a row."""
+    """110 operations a row."""
     for lane in range(many):
         px = x[x_every * lane + 0]
         py = x[x_every * lane + 1]
@@ -217,6 +220,9 @@ def _limb_points(x, q, tool, p, masses, x_every, q_every, tool_every, p_every, o
         bz = p[p_every * lane + 12]
         dl = p[p_every * lane + 13]
         scale = p[p_every * lane + 14]
+        dtx = p[p_every * lane + 15]
+        dty = p[p_every * lane + 16]
+        dtz = p[p_every * lane + 17]
         s0 = (cx * cx)
         s2 = (cy * cy)
         s4 = (cz * cz)
@@ -239,9 +245,9 @@ def _limb_points(x, q, tool, p, masses, x_every, q_every, tool_every, p_every, o
         A_x = ax + base*cosine(alpha)
         A_y = ay + base*sine(alpha)
         A_z = az + up
-        b_x = bx + plate*cosine(beta) - tx
-        b_y = by + plate*sine(beta) - ty
-        b_z = bz + down - tz
+        b_x = bx - dtx + plate*cosine(beta) - tx
+        b_y = by - dty + plate*sine(beta) - ty
+        b_z = bz + down - dtz - tz
         B_x = R_11*b_x + R_12*b_y + R_13*b_z + px
         B_y = R_21*b_x + R_22*b_y + R_23*b_z + py
         B_z = R_31*b_x + R_32*b_y + R_33*b_z + pz
