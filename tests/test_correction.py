@@ -10,10 +10,14 @@ import numpy as np
 import pytest
 
 import deltacal_gen as dc
-from deltacal_gen.diagnosis.correction import Smooth, borne_out_beside
+from deltacal_gen.diagnosis.correction import Smooth, borne_out_beside, holding
 from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.diagnosis.laws.laws import Sought
-from deltacal_gen.diagnosis.structure import Structure
+from deltacal_gen.diagnosis.structure import Structure, structures
+from deltacal_gen.estimation.fit import fit
+from deltacal_gen.estimation.prior import with_prior
+from deltacal_gen.estimation.problem import pose_problem
+from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.files.robot import Robot, robot_from_dict
 from deltacal_gen.identification.accuracy import volumetric_error
 from deltacal_gen.machine.registry import Array
@@ -96,6 +100,20 @@ def test_a_local_misfit_is_corrected_where_it_sits(robot: Robot) -> None:
     assert found["correction"]["limbs"] == []
     fresh = dented(robot, 9, sigma=0.0)
     assert error(found, fresh) < 0.65 * error(without(found), fresh)
+
+
+def test_a_correction_holds_where_the_machine_of_a_prediction_puts_its_readings(robot: Robot) -> None:
+    """What an unknown frame leaves open of where {O} stands one fit has otherwise than the next."""
+    problem = pose_problem(robot, dented(robot, 1), DELTA.models["delta/42"])
+    at = fit(with_prior(problem, robot)[0], Prior())
+    made = borne_out_beside(at, structures(at))
+    assert made is not None
+    higher = at.errors + [100.0 * (p.error == "ez") for p in DELTA.parameters]  # the base as a whole
+    whole = dataclasses.replace(at, errors=higher, machine=at.problem.solve(higher))
+    found, body = made.of_all(whole), problem.body
+    assert found is not None
+    assert [smooth.variable for smooth in found.smooth] == ["position"]
+    assert holding(found.smooth, problem.recording, body.q, whole.machine.x) == pytest.approx(1.0, abs=1e-6)
 
 
 def test_beyond_what_was_measured_nothing_is_corrected(robot: Robot, humid: dict[str, Any]) -> None:

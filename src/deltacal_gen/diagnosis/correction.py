@@ -207,7 +207,7 @@ class BorneOut:
         """Return the correction with geometry, effects and instrument fitted to all readings beside it."""
         base = self.linear.step(None, set())
         step = self.linear.step(self.option, set())
-        functions = self.option.smooth(step[len(base) :])
+        functions = tuple(_moved(smooth, self.at, whole) for smooth in self.option.smooth(step[len(base) :]))
         fitted = _beside(whole, functions)
         if fitted is None:
             return None
@@ -326,6 +326,20 @@ def _beside(at: Fit, functions: Sequence[Smooth], chosen: np.ndarray | None = No
         return fit(problem, Prior(), errors=at.errors, instrument=at.instrument, must_converge=False, tolerance=0.1)
     except (NoSolutionError, InputError):
         return None
+
+
+def _moved(smooth: Smooth, at: Fit, whole: Fit) -> Smooth:
+    """Return a function of the position whose knots lie where another fit has their poses, others as they are.
+
+    Where {O} stands few readings tell, and what fits leave open of it is not the same in all of them.
+    """
+    if smooth.variable != POSITION:
+        return smooth
+    rows = _gaps(smooth.knots, at.machine.x[:, :3]).argmin(axis=1)
+    lines = at.problem.recording.line[rows]
+    there = np.argsort(whole.problem.recording.line, kind="stable")
+    found = there[np.searchsorted(whole.problem.recording.line, lines, sorter=there)]
+    return dataclasses.replace(smooth, knots=whole.machine.x[found, :3])
 
 
 def displaced(at: Fit, functions: Sequence[Smooth], problem: Problem) -> Problem:
