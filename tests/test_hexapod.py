@@ -178,6 +178,15 @@ def test_a_reflector_of_which_nobody_says_where_it_sits_is_found() -> None:
     np.testing.assert_allclose([offsets[f"t{axis}"] for axis in "xyz"], sits, atol=1.0)  # but for all joints together
 
 
+def test_drives_that_count_from_where_they_were_switched_on_cost_nothing() -> None:
+    """Legs are centimetres longer at q = 0 than drawn: that is the zero of their drives, and no joint's place."""
+    recording = measured(robot(None), 1.0, 8)
+    counted = dataclasses.replace(recording, joints=recording.joints - recording.joints[0])
+    even, odd = (counted.subset(np.arange(k, counted.n_rows, 2)) for k in (0, 1))
+    missed = predict(identify(robot(None), even).answer(), odd).measured - odd.measured
+    assert np.sqrt(np.mean(missed[:, :3] ** 2)) < 2 * NOISE
+
+
 def test_of_a_gauge_the_sidecar_says_where_it_is_fixed() -> None:
     recording = measured(robot(None), 1.0, 8)
     gauge = Measurement(kind="gauge", base_point_mm=(150.0, 0.0, 0.0), platform_point_mm=(0.0, 50.0, 0.0))

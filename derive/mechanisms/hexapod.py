@@ -97,7 +97,7 @@ MACHINE = partial(  # what no rotation enters
         Quantity(bx, "mm", "platform joint, x in {O'}", typical=_length),
         Quantity(by, "mm", "platform joint, y in {O'}", typical=_length),
         Quantity(bz, "mm", "platform joint, z in {O'}", typical=_length),
-        Quantity(dl, "mm", "length of the leg", typical=_length, label="l"),
+        Quantity(dl, "mm", "length of the leg at q = 0, with the zero of its drive", typical=1.0, label="l"),
         Quantity(scale, "1", "true way of the leg per counted way, less 1", typical=3e-4),
     ),
     common=tuple(

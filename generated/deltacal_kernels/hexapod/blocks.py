@@ -1,7 +1,7 @@
 """Poses side by side: `hexapod`, Hexapod of Gough and Stewart, six legs.
 
 Generated from derive/mechanisms/hexapod.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/blocks.py.jinja; sha256 of both 84896d29d65eff65; SymPy 1.14.0.
+Template templates/mechanism/blocks.py.jinja; sha256 of both d96b8a8038a84c08; SymPy 1.14.0.
 
 The other modules of many poses take them in blocks, and compute with lane arrays, one number a pose, which all lie in
 one array w: first a region for every limb, then what the limbs share. Here a block of what is given is put there.

@@ -1,7 +1,7 @@
 """What no pose changes: `hexapod`, many machines at once, Hexapod of Gough and Stewart, six legs.
 
 Generated from derive/mechanisms/hexapod.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/constants.py.jinja; sha256 of both 862e1d863bf903f2; SymPy 1.14.0.
+Template templates/mechanism/constants.py.jinja; sha256 of both d61ba2e26f895f61; SymPy 1.14.0.
 
 p (M, 6, 18) holds a machine's parameters, one row per limb; a loop over `lane` runs over the limbs
 of all machines.

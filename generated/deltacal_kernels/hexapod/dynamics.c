@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/hexapod.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/dynamics.c.jinja; sha256 of both dedbfdf708cfff3c; SymPy 1.14.0.
+ * Template templates/mechanism/dynamics.c.jinja; sha256 of both 3319be60fcc80fe2; SymPy 1.14.0.
  *
  * The calibrated machine in motion: joints, their speeds and accelerations by those of the reference point, and what
  * the drives must give. w and d hold a region for each limb, w and s what all limbs share.

@@ -1,7 +1,7 @@
 """Dynamics of `hexapod`, many samples at once: Hexapod of Gough and Stewart, six legs.
 
 Generated from derive/mechanisms/hexapod.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/dynamics.py.jinja; sha256 of both c813cea11e8fa89f; SymPy 1.14.0.
+Template templates/mechanism/dynamics.py.jinja; sha256 of both f13f5c323e6c5e1f; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the sample first; mm, rad, s, kg, N:
 

@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/hexapod.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/inverse.c.jinja; sha256 of both 2343c6707668b35c; SymPy 1.14.0.
+ * Template templates/mechanism/inverse.c.jinja; sha256 of both 63e65434b6755068; SymPy 1.14.0.
  *
  * The exact compensator: inverse position of the calibrated machine, by Newton on joints and platform rotation.
  * An export puts the machine's numbers before this text: DELTACAL_K[6][12], DELTACAL_TOOL[3],

@@ -1,7 +1,7 @@
 """Kinematics of `hexapod`, many poses at once: Hexapod of Gough and Stewart, six legs.
 
 Generated from derive/mechanisms/hexapod.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 9be1a09872ccd150; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 02aa05c418480ee2; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 

@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/hexapod.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/linear.c.jinja; sha256 of both 8e4e0fb658e95bb0; SymPy 1.14.0.
+ * Template templates/mechanism/linear.c.jinja; sha256 of both 5df2e0b87475514e; SymPy 1.14.0.
  *
  * The linear compensator: nominal joints, and the change that holds the reference point to first order in the errors.
  * An export puts the machine's numbers before this text: DELTACAL_K[6][15], DELTACAL_TOOL[3],

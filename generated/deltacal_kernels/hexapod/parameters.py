@@ -1,7 +1,7 @@
 """Tables of `hexapod`: Hexapod of Gough and Stewart, six legs.
 
 Generated from derive/mechanisms/hexapod.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both f37253888971bf20; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both 9e781194b0dc657a; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 
@@ -48,7 +48,7 @@ ERRORS = (
     ("bx", "mm", "platform joint, x in {O'}", 0.1, ("bx_1", "bx_2", "bx_3", "bx_4", "bx_5", "bx_6",)),
     ("by", "mm", "platform joint, y in {O'}", 0.1, ("by_1", "by_2", "by_3", "by_4", "by_5", "by_6",)),
     ("bz", "mm", "platform joint, z in {O'}", 0.1, ("bz_1", "bz_2", "bz_3", "bz_4", "bz_5", "bz_6",)),
-    ("l", "mm", "length of the leg", 0.1, ("l_1", "l_2", "l_3", "l_4", "l_5", "l_6",)),
+    ("l", "mm", "length of the leg at q = 0, with the zero of its drive", 1.0, ("l_1", "l_2", "l_3", "l_4", "l_5", "l_6",)),
     ("scale", "1", "true way of the leg per counted way, less 1", 0.0003, ("scale_1", "scale_2", "scale_3", "scale_4", "scale_5", "scale_6",)),
 )
 

@@ -1,7 +1,7 @@
 """Commands of one pose for a servo loop: `hexapod`, Hexapod of Gough and Stewart, six legs.
 
 Generated from derive/mechanisms/hexapod.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/servo.py.jinja; sha256 of both aba75a7a5d1767fd; SymPy 1.14.0.
+Template templates/mechanism/servo.py.jinja; sha256 of both 9789d3e0cf603fd6; SymPy 1.14.0.
 
 Numbers in, numbers out, for loops that Numba compiles and for calls from Python: an array, or a part of one, costs more
 than a command. Lengths in mm, angles in rad. Target, machine and scratch stand in one flat array w, which `exact_state`

@@ -1,7 +1,7 @@
 """Generalised loads of `hexapod`: Hexapod of Gough and Stewart, six legs.
 
 Generated from derive/mechanisms/hexapod.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/statics.py.jinja; sha256 of both 19284250d24fbed9; SymPy 1.14.0.
+Template templates/mechanism/statics.py.jinja; sha256 of both 2379001b5c9ea078; SymPy 1.14.0.
 
 Plain NumPy over all poses at once. masses: proximal proximal_com distal_rod platform; payload (N,) in kg at the
 reference point. Every weight has its own acceleration field [m/s^2], fields (N, 3 weights): gravity for all, or minus

@@ -1,7 +1,7 @@
 """Kinematics of `hexapod` in plain NumPy: Hexapod of Gough and Stewart, six legs.
 
 Generated from derive/mechanisms/hexapod.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/vectorised.py.jinja; sha256 of both 888fd8fb6da91105; SymPy 1.14.0.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both 3980282f9fbd2ebf; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
 small job is done before Numba would be loaded, and the compiled kernels have an independent check.

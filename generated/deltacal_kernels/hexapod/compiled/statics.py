@@ -1,7 +1,7 @@
 """Generalised loads of `hexapod`: Hexapod of Gough and Stewart, six legs, row by row for Numba.
 
 Generated from derive/mechanisms/hexapod.py by "deltacal kernels". Do not edit.
-Template templates/rows.py.jinja; sha256 of both 930463229b451057; SymPy 1.14.0.
+Template templates/rows.py.jinja; sha256 of both 5980eab1cf9dd776; SymPy 1.14.0.
 
 Functions of the NumPy module of this name, to be called likewise but for defaults, on C-contiguous arrays. Each is a
 loop over rows; an array of one row counts for all of them.
