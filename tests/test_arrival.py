@@ -378,6 +378,16 @@ def test_a_tool_point_that_is_said_is_believed_as_other_parts_are(arm: Robot) ->
     assert "ty by -" in doubt or "tx by" in doubt
 
 
+def test_a_tracker_that_lost_its_target_is_told_by_lines(arm: Robot) -> None:
+    """Its last reading written on for a quarter of the rows is no machine's; with these cells blank the rest is."""
+    readings = recorded(arm, wide(np.random.default_rng(2), 60, 1.2), size=0.1)
+    stuck, blanked = readings.measured.copy(), readings.measured.copy()
+    stuck[45:], blanked[45:] = stuck[44], np.nan
+    with pytest.raises(InputError, match=r"15 readings are the one before .* in lines 46 to 61\)"):
+        identify(arm, dataclasses.replace(readings, measured=stuck))
+    assert identify(arm, dataclasses.replace(readings, measured=blanked)).answer().train_rms_mm < 3 * SIGMA
+
+
 @pytest.mark.parametrize(("longer", "declared"), [(129.0, True), (129.0, False), (160.0, True)])
 def test_a_machine_of_other_lengths_is_fitted_and_told_instead_of_noise_of_millimetres(
     longer: float, declared: bool

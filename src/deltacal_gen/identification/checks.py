@@ -188,6 +188,7 @@ def plausible(first: Fit) -> None:
             "Correct the recording, its sidecar or the robot file.",
             file=problem.recording.path,
         )
+    _stood_still(problem)
     if off > NONSENSE * spread:
         raise InputError(
             f"the readings are {off:.3g} mm off this machine, {off / spread:.0%} of what its poses spread over: more "
@@ -195,6 +196,26 @@ def plausible(first: Fit) -> None:
             "Compare the robot file with the machine, and the columns of the recording with what was measured.",
             file=problem.recording.path,
         )
+
+
+def _stood_still(problem: Problem) -> None:
+    """Raise an InputError where an instrument wrote its last reading on, in every number, while joints moved."""
+    found, joints = problem.readings, problem.body.q[problem.readings.rows[:, 0]]
+    if found.values.shape[1] < 2 or found.rows.shape[1] > 1:
+        return  # one length or height may well be read twice
+    again = (np.nan_to_num(found.values[1:]) == np.nan_to_num(found.values[:-1])).all(axis=1)
+    again &= (joints[1:] != joints[:-1]).any(axis=1)
+    if again.sum() < FEWEST_COPIES:
+        return
+    start = int(np.argmax(again))
+    end = start + int(np.argmin(np.append(again[start:], False)))
+    raise InputError(
+        f"{again.sum()} readings are the one before in every number, though joints moved (the first in lines "
+        f"{found.line[start]} to {found.line[end]}): the instrument had lost its target, or stood still.",
+        "Leave their measured cells blank.",
+        file=problem.recording.path,
+        line=int(found.line[start + 1]),
+    )
 
 
 def _read_at_all(first: Fit, off: float) -> None:
