@@ -13,6 +13,7 @@ from deltacal_gen.estimation.fit import fit
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.estimation.solvers import Prior
+from deltacal_gen.identification.rounding import moved_by_steps
 from deltacal_gen.machine.values import Recording
 from tests.benchmarks.honesty_nulls import drawn
 from tests.left_out import DELTA, SIGMA, machine, record
@@ -100,3 +101,13 @@ def test_what_repeats_show_is_noise_whoever_makes_it() -> None:
     recording = dataclasses.replace(twice, measured=np.repeat(made.measured[::2], 2, axis=0))
     noise = 0.05 * np.random.default_rng(1).standard_normal((N, 3))
     assert scattering(geometry(dataclasses.replace(recording, measured=recording.measured + noise))) is None
+
+
+def test_cells_that_were_not_measured_are_no_rows_that_are_not_there() -> None:
+    """What joints' steps do is asked of every reading by its own row; a diagnosis of such a recording ended there."""
+    made = restless(7e-5)
+    made.measured[20:30] = np.nan
+    read = np.isfinite(made.measured).all(axis=1)
+    every, those = (moved_by_steps(geometry(recording)) for recording in (made, made.subset(np.flatnonzero(read))))
+    np.testing.assert_allclose(every, those, rtol=1e-6, atol=1e-12)
+    assert diagnose(ROBOT, made).verdict == "unexplained"

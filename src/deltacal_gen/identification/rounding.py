@@ -78,7 +78,7 @@ def moved_by_steps(at: Fit) -> Array:
     problem, found = at.problem, at.problem.readings
     own, _ = _joint_steps(problem.recording, found.used, problem.body.q.shape[1])
     instrument = at.instrument.mounted(problem.mechanism, at.errors)
-    joints = problem.sensitivity(at.machine, found.used).joints * own
+    joints = problem.displacements(at.machine)[:, :, : len(own)] * own
     return instrument.linearise(found, problem.seen(at.machine), joints)[0]
 
 
