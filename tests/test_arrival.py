@@ -27,6 +27,7 @@ from deltacal_gen.machine.values import Measurement, Recording
 from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.physics.terms import Term, blank
 from deltacal_gen.units import DEG
+from deltacal_gen.use.prediction import predict
 from tests.benchmarks.arrival import ABOVE, chi2, compared, lowest, missed
 from tests.benchmarks.arrival_problems import near_a_line
 from tests.conftest import scattered, wanted
@@ -376,6 +377,28 @@ def test_a_tool_point_that_is_said_is_believed_as_other_parts_are(arm: Robot) ->
     wrong = dataclasses.replace(arm, tool=arm.tool + np.array([0.0, 200.0, 0.0]))
     [doubt] = identify(wrong, readings).answer().doubts or ()
     assert "ty by -" in doubt or "tx by" in doubt
+
+
+def test_a_reflector_that_was_knocked_for_a_while_is_left_out_and_told(arm: Robot) -> None:
+    """A seventh of the rows, centimetres off with the others before and behind, was noise of the rest that wanders."""
+    readings = recorded(arm, wide(np.random.default_rng(2), 60, 1.2), size=0.1)
+    knocked = dataclasses.replace(readings, measured=readings.measured.copy())
+    knocked.measured[20:29] += [30.0, -20.0, 15.0]
+    answer, found = identify(arm, knocked).answer(), diagnose(arm, knocked).answer()
+    assert answer.gross_errors == found.gross_errors == tuple(range(22, 31))
+    assert answer.train_rms_mm < 1.5 * SIGMA
+    assert (found.verdict, found.effects) == ("adequate", ())
+    assert "9 readings are far beyond all others together and were left out (lines 22, 23," in found.summary
+    for known in (answer, found):
+        assert np.sqrt(np.mean((predict(known, readings).measured - readings.measured) ** 2)) < 2 * SIGMA
+
+
+def test_a_slip_is_no_reflector_that_was_knocked(arm: Robot) -> None:
+    readings = recorded(arm, wide(np.random.default_rng(2), 60, 1.2), size=0.1)
+    slipped = dataclasses.replace(readings, measured=readings.measured.copy())
+    slipped.measured[51:] += [30.0, -20.0, 15.0]
+    [effect] = diagnose(arm, slipped).answer().effects
+    assert effect.name in ("instrument_slip", "tool_slip")
 
 
 def test_a_tracker_that_lost_its_target_is_told_by_lines(arm: Robot) -> None:

@@ -21,6 +21,7 @@ from deltacal_gen.diagnosis.spectrum import Spectrum, Standing, wave
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.files.robot import kept_robot
+from deltacal_gen.identification.checks import gross_lines
 from deltacal_gen.identification.knowledge import uncertainty_of
 from deltacal_gen.identification.noise import Noise, coordinate_sigma, noise_model
 from deltacal_gen.identification.unknowns import unknowns_of
@@ -145,7 +146,7 @@ def result_of(found: Diagnosed) -> Diagnosis:
             *found.next_measurements,
             *([more_poses(found.final.problem)] if found.short else []),
         ),
-        gross_errors=tuple(int(final.problem.readings.line[j]) for j in final.gross),
+        gross_errors=gross_lines(final),
         correction=_correction(found),
         residuals=_residuals(found),
         sigma_mm=found.noise.told,

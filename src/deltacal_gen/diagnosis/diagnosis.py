@@ -153,7 +153,7 @@ def diagnose(
         lean=lean,
         laws=lawful,
         turned=turned_of(robot, found.considered) if lawful or unexplained else "",
-        doubts=(*doubt, *checks.copied(recording), *checks.turned(current), *checks.zeroed(current)),
+        doubts=(*doubt, *checks.doubted(problem, current)),
     )
 
 
@@ -251,7 +251,11 @@ def _begun(robot: Robot, recording: Recording, model: str | None, progress: Prog
 def _beside(robot: Robot, recording: Recording, model: str | None) -> _Drawn:
     problem, name, lean = _geometry(robot, recording, model)
     some = problem.some(MOST_POSES, np.random.default_rng(SEED))
-    return _Drawn(robot, problem, name, lean, some, _first(some, recording))
+    first = _first(some, recording)
+    if (rest := checks.without_knocked(problem, first)) is not None:
+        problem, some = rest, rest.some(MOST_POSES, np.random.default_rng(SEED))
+        first = _first(some, recording)
+    return _Drawn(robot, problem, name, lean, some, first)
 
 
 def _searched(of: _Drawn, progress: Progress) -> _Begun:

@@ -19,6 +19,7 @@ HUBER = 2.5  # standard deviations beyond which a reading's pull stops growing
 # variance of normal noise of size 1 that is clipped there
 CLIPPED = erf(HUBER / sqrt(2)) - sqrt(2 / pi) * HUBER * exp(-(HUBER**2) / 2) + HUBER**2 * erfc(HUBER / sqrt(2))
 MOST_GROSS = 0.06  # of all readings: more than this are no errors of measurement but something left out
+MOST_APART, APART = 0.25, 3.0  # of all readings, and times the largest of the others: such a gap no misfit leaves
 MOST_WRONG = 0.2  # of points found in images: those of a part that is hidden or mirrored, and stray ones
 USUAL_COUNTS = 3  # readings that knowing the usual noise of an instrument is worth
 MOST_STEPS, SETTLED = 50, 1e-9  # towards what repeats share, and of its equation what is as good as none
@@ -230,10 +231,23 @@ def robust_weights(residual: Array, sigma: Array, drop: Kind | None = None) -> A
     """Return Huber's weights (R,); none for gross errors of the kind `drop`, unless they are too many to be errors."""
     size = np.sqrt(np.nanmean((residual / sigma) ** 2, axis=1))
     weights = np.minimum(1.0, HUBER / np.maximum(size, 1e-300))
-    gross = np.nanmax(np.abs(residual) / sigma, axis=1) > GROSS
-    if drop is not None and gross.mean() <= (MOST_WRONG if drop.picked else MOST_GROSS):
-        weights[gross] = 0.0
+    if drop is not None:
+        largest = np.nanmax(np.abs(residual) / sigma, axis=1)
+        gross = largest > GROSS
+        if gross.mean() <= (MOST_WRONG if drop.picked else MOST_GROSS) or apart(largest).any():
+            weights[gross] = 0.0
     return weights
+
+
+def apart(size: Array) -> np.ndarray:
+    """Return which readings (R,) are gross errors that nothing leads to from the others, of their sizes in deviations.
+
+    A reflector that was knocked, or a beam that another one caught, is off for many rows; what a model does not know
+    moves readings by all sizes up to its largest.
+    """
+    far: np.ndarray = size > GROSS
+    few = 0 < far.sum() <= MOST_APART * len(size)
+    return far if few and size[far].min() > APART * size[~far].max() else np.zeros(len(size), dtype=bool)
 
 
 def wrongly_found(residual: Array, found: Readings) -> np.ndarray:

@@ -13,7 +13,7 @@ from deltacal_gen.estimation.prior import BROAD
 from deltacal_gen.files.robot import kept_robot
 from deltacal_gen.identification import identifiability
 from deltacal_gen.identification.accuracy import distance_error, largest, volumetric_error
-from deltacal_gen.identification.checks import copied, turned, zeroed
+from deltacal_gen.identification.checks import doubted, gross_lines
 from deltacal_gen.identification.drawing import doubts, in_file
 from deltacal_gen.identification.identifiability import Combination
 from deltacal_gen.identification.noise import Noise, coordinate_sigma, freedom
@@ -173,7 +173,7 @@ def result_of(found: Identification) -> Result:
         sigma_source=found.noise.source,
         residual_sigma_mm=residual_sigma,
         chi2_per_dof=(residual_sigma / sigma) ** 2 if sigma > 0 else None,
-        gross_errors=tuple(int(problem.readings.line[j]) for j in final.gross),
+        gross_errors=gross_lines(final),
         stages=_stages(found),
         accuracy=_accuracy(found),
         base_frame=_base_frames(found),
@@ -188,7 +188,7 @@ def result_of(found: Identification) -> Result:
         uncertainty=found.uncertainty,
         unit=unit and unit[0],
         unit_mm=unit and unit[1],
-        doubts=(*doubts(final), *copied(recording), *turned(final), *zeroed(final)) or None,
+        doubts=(*doubts(final), *doubted(problem, final)) or None,
     )
 
 

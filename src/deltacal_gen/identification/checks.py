@@ -14,10 +14,11 @@ from deltacal_gen.estimation.fit import SPARE_READINGS, fit, rough
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.prior import unsaid
 from deltacal_gen.estimation.problem import Problem
-from deltacal_gen.estimation.residuals import lengths
+from deltacal_gen.estimation.residuals import HUBER, MOST_APART, MOST_GROSS, apart, lengths
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.files.robot import robot_size
-from deltacal_gen.instrument.kinds import kind_of, mounts
+from deltacal_gen.instrument.kind import Readings
+from deltacal_gen.instrument.kinds import kind_of, mounts, readings
 from deltacal_gen.machine.places import read_together
 from deltacal_gen.machine.registry import Array, Machine
 from deltacal_gen.machine.rotation import from_turns, to_vector
@@ -34,6 +35,7 @@ POSES_LOOKED_AT, SEED = 60, 2021  # poses, drawn at random, on which mistakes ar
 NEARER = 0.5  # of the error: a mistake that brings less is not fitted
 MOST_FITTED = 4
 EXPLAINED = 0.1  # of the error: what a mistake may leave that explains it
+FEW = 12  # lines that a sentence names
 FEWEST_COPIES = 5  # rows: fewer may agree in every digit that was written
 EXACT = 1e-6  # of the machine's size: a fit that leaves less is one of readings without noise
 FAR_TURNED = 2 * DEG  # rms of rotations beside a fit: no instrument reads so badly
@@ -344,6 +346,71 @@ def _of_these_joints(first: Fit, off: float) -> None:
             "Compare the columns, row by row: q1 and enc1 are of one joint, at one moment, and count in one sense.",
             file=first.problem.recording.path,
         )
+
+
+def without_knocked(problem: Problem, first: Fit) -> Problem | None:
+    """Return the problem without gross errors in runs, with the others again before and behind: no model's; else None.
+
+    So many pull a fit towards them, that they do not stand out of it: what a fit of the others alone leaves of them
+    tells. `first` is fitted to some readings or all.
+    """
+    some = first.problem
+    suspect = _deviations(first.residual, first) > HUBER
+    if some.readings.kind.picked or not _for_a_while(suspect, some.readings):
+        return None
+    rest, begin = some.subset(np.flatnonzero(~suspect)), first.instrument
+    try:
+        others = fit(rest, Prior(), errors=first.errors, instrument=begin, weigh_repeats=False, must_converge=False)
+    except (InputError, NoSolutionError):
+        return None
+    left = problem.residual(others.errors, others.instrument, problem.poses(others.errors))
+    far = apart(_deviations(left, others))
+    return problem.subset(np.flatnonzero(~far)) if _for_a_while(far, problem.readings) else None
+
+
+def _for_a_while(far: np.ndarray, found: Readings) -> bool:
+    """Tell whether readings (R,) are more than errors of measurement are, but few, and end as they began.
+
+    What reaches the begin or the end of a set-up may be a slip, which has a name.
+    """
+    own = [np.flatnonzero(found.setup == setup) for setup in np.unique(found.setup)]
+    ends = [rows[end(found.line[rows])] for rows in own for end in (np.argmin, np.argmax)]
+    return bool(MOST_GROSS < far.mean() <= MOST_APART and not far[ends].any())
+
+
+def _deviations(residual: Array, at: Fit) -> Array:
+    """Return how many standard deviations of a fit the largest component of each reading (R,) is off."""
+    size: Array = np.nanmax(np.abs(residual) / at.sigma, axis=1)
+    return size
+
+
+def doubted(of: Problem, at: Fit) -> tuple[str, ...]:
+    """Return what is to be doubted of the readings of a problem, by a fit of all or of some of them."""
+    return (*left_out(of), *copied(of.recording), *turned(at), *zeroed(at))
+
+
+def gross_lines(at: Fit) -> tuple[int, ...]:
+    """Return the lines of gross errors, those among them that a fit was made without; see `without_knocked`."""
+    found = at.problem.readings
+    return tuple(sorted({*_left_out(at.problem), *found.line[at.gross].tolist()}))
+
+
+def _left_out(of: Problem) -> list[int]:
+    if of.readings.made:
+        return []
+    lines: list[int] = np.setdiff1d(readings(of.recording).line, of.readings.line).tolist()
+    return lines
+
+
+def left_out(of: Problem) -> tuple[str, ...]:
+    """Return that readings of the recording are none of a problem's, and which; see `without_knocked`."""
+    if not (lines := _left_out(of)):
+        return ()
+    named = ", ".join(map(str, lines[:FEW])) + (" ..." if len(lines) > FEW else "")
+    return (
+        f"{len(lines)} readings are far beyond all others together and were left out (lines {named}): a reflector that "
+        "was knocked or lost for a while, or another one that was caught. Measure these poses again.",
+    )
 
 
 def copied(recording: Recording) -> tuple[str, ...]:

@@ -23,7 +23,7 @@ from deltacal_gen.files.checks import check_units
 from deltacal_gen.files.robot import Robot, for_model
 from deltacal_gen.identification import carried, drawing, identifiability
 from deltacal_gen.identification.answer import Identification
-from deltacal_gen.identification.checks import check_rows, chosen_model, distinct, plausible
+from deltacal_gen.identification.checks import check_rows, chosen_model, distinct, plausible, without_knocked
 from deltacal_gen.identification.folds import FOLDS, folds
 from deltacal_gen.identification.identifiability import Combination
 from deltacal_gen.identification.knowledge import uncertainty_of
@@ -110,7 +110,7 @@ def identify(
     progress(f"held-out error: {FOLDS} folds")
     final, heldout = _held_out(final, rule, robust)
     progress("identifiability")
-    seen = _seen(final, dataclasses.replace(own, held=problem.held), names)
+    seen = _seen(final, dataclasses.replace(own, held=problem.held, readings=problem.readings), names)
     found = zip((p.name for p in mechanism.parameters), final.errors.tolist(), strict=True)
     calibrated = dataclasses.replace(robot, errors={name: value for name, value in found if value or name in names})
     progress("uncertainty over the workspace")
@@ -199,9 +199,14 @@ def _begun(
 
 
 def _fine(problem: Problem, rule: Solver, first: Fit, robust: bool) -> Fit:
-    """Return the fit of a model, of a machine far from the drawn one where that is the one that was read."""
+    """Return the fit of a model, of a machine far from the drawn one where that is the one that was read.
+
+    It is one of fewer readings where others are gross errors that are too many to be left to their weights.
+    """
     at = fit(problem, rule, errors=first.errors, machine=first.machine, instrument=first.instrument, robust=robust)
-    return (drawing.as_read(at, robust=robust) or at) if isinstance(rule, Prior) else at
+    at = (drawing.as_read(at, robust=robust) or at) if isinstance(rule, Prior) else at
+    rest = without_knocked(at.problem, at) if robust else None
+    return at if rest is None else _fine(rest, rule, first, robust)
 
 
 def _remedies(final: Fit, absorbed: int | None) -> tuple[Remedy, ...]:
