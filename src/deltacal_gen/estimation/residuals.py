@@ -20,6 +20,7 @@ HUBER = 2.5  # standard deviations beyond which a reading's pull stops growing
 CLIPPED = erf(HUBER / sqrt(2)) - sqrt(2 / pi) * HUBER * exp(-(HUBER**2) / 2) + HUBER**2 * erfc(HUBER / sqrt(2))
 MOST_GROSS = 0.06  # of all readings: more than this are no errors of measurement but something left out
 MOST_APART, APART = 0.25, 3.0  # of all readings, and times the largest of the others: such a gap no misfit leaves
+FEWEST_APART = 3  # readings: fewer stand out by chance where a fit has taken most of what they say
 MOST_WRONG = 0.2  # of points found in images: those of a part that is hidden or mirrored, and stray ones
 USUAL_COUNTS = 3  # readings that knowing the usual noise of an instrument is worth
 MOST_STEPS, SETTLED = 50, 1e-9  # towards what repeats share, and of its equation what is as good as none
@@ -246,7 +247,7 @@ def apart(size: Array) -> np.ndarray:
     moves readings by all sizes up to its largest.
     """
     far: np.ndarray = size > GROSS
-    few = 0 < far.sum() <= MOST_APART * len(size)
+    few = FEWEST_APART <= far.sum() <= MOST_APART * len(size)
     return far if few and size[far].min() > APART * size[~far].max() else np.zeros(len(size), dtype=bool)
 
 

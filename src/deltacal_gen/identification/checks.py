@@ -356,7 +356,7 @@ def without_knocked(problem: Problem, first: Fit) -> Problem | None:
     """
     some = first.problem
     suspect = _deviations(first.residual, first) > HUBER
-    if some.readings.kind.picked or not _for_a_while(suspect, some.readings):
+    if some.readings.kind.picked or not MOST_GROSS < suspect.mean() <= MOST_APART:
         return None
     rest, begin = some.subset(np.flatnonzero(~suspect)), first.instrument
     try:
@@ -369,13 +369,17 @@ def without_knocked(problem: Problem, first: Fit) -> Problem | None:
 
 
 def _for_a_while(far: np.ndarray, found: Readings) -> bool:
-    """Tell whether readings (R,) are more than errors of measurement are, but few, and end as they began.
+    """Tell whether readings (R,) are in runs, more than errors of measurement are, and end as they began.
 
     What reaches the begin or the end of a set-up may be a slip, which has a name.
     """
-    own = [np.flatnonzero(found.setup == setup) for setup in np.unique(found.setup)]
-    ends = [rows[end(found.line[rows])] for rows in own for end in (np.argmin, np.argmax)]
-    return bool(MOST_GROSS < far.mean() <= MOST_APART and not far[ends].any())
+    order = np.lexsort((found.line, found.setup))
+    off, setup = far[order], found.setup[order]
+    begins = np.append(True, setup[1:] != setup[:-1])
+    both = off[1:] & off[:-1]
+    in_runs = np.append(both, False) | np.append(False, both)
+    ends = begins | np.append(begins[1:], True)
+    return bool(in_runs.mean() > MOST_GROSS >= (off & ~in_runs).mean() and not off[ends].any())
 
 
 def _deviations(residual: Array, at: Fit) -> Array:
