@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from conftest import Run
 
+import deltacal_gen as dc
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.errors import UsageError
@@ -174,6 +175,9 @@ def test_a_reflector_of_which_nobody_says_where_it_sits_is_found() -> None:
     assert found.doubts is None
     missed = predict(found, odd).measured - odd.measured
     assert np.sqrt(np.mean(missed[:, :3] ** 2)) < 2 * NOISE
+    told: list[str] = []
+    dc.compensate(found, np.array([[0.0, 0.0, 330.0]]), tell=told.append)
+    assert any("targets are of the point that was measured, found at (1" in words for words in told)
     offsets = {p.name: p.value for p in found.parameters}
     np.testing.assert_allclose([offsets[f"t{axis}"] for axis in "xyz"], sits, atol=1.0)  # but for all joints together
 

@@ -154,6 +154,8 @@ def commanded(known: Result | Diagnosis, compensator: Compensator, wanted: Wante
         tell(beyond)
     if (left := _left_turned(compensator, wanted, joints, at)) is not None:
         tell(left)
+    if wanted.near is None and wanted.tool is None and compensator.found_point is not None:
+        tell(compensator.found_point)
     share: Array | None = None
     if (correction := known.correction) is not None:
         if kind_of(known.instrument.kind).positions:

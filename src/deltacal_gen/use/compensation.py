@@ -159,6 +159,16 @@ class Compensator:
         return replace(self.robot, errors=known)
 
     @cached_property
+    def found_point(self) -> str | None:
+        """In words of which point targets are, where readings have found it and no file says it; else None."""
+        sits = [self.nominal.errors.get(name, 0.0) for name in self.robot.unsaid]
+        if not any(sits):
+            return None
+        frame = "the last frame" if self.robot.links else "{O'}"
+        place = f"({', '.join(f'{value:.3g}' for value in sits)}) mm in {frame}"
+        return f"targets are of the point that was measured, found at {place}: the robot file has no tool"
+
+    @cached_property
     def model(self) -> str:
         """Smallest model that has all errors of the robot; the mechanism's full one where none has."""
         models, errors = self.mechanism.models, {name for name, value in self.robot.errors.items() if value}
