@@ -86,6 +86,8 @@ def searched(some: Problem, first: Fit, terms: Sequence[Term], lean: bool, progr
     """Search for what was left out, beside a fit of geometry and instrument."""
     parts = folds(some.readings, some.recording, rows=first.repeats.rows)
     search, considered = _chosen(some, Search(first, terms), progress)
+    if (fewer := _with_fewer_waves(some, search)) is not search:
+        search = _chosen(some, fewer, progress)[0]
     if 1 < len(search.grouped(terms_of(search.fit))) <= FEW and _unexplained(search, structures(search.fit), lean):
         exchanged = _exchanged(some, search)
         search = search if exchanged is search else _chosen(some, exchanged, progress)[0]
@@ -306,6 +308,26 @@ def _exchanged(problem: Problem, search: Search) -> Search:
             continue
         more = 2 * problem.readings.n_scalars * float(np.log(at.sigma[0] / other.sigma[0]))
         if more - sum(search.price(*one) for one in pair) + sum(search.price(*one) for one in own) > MARGIN:
+            return _revised(problem, Search(other, search.terms))
+    return search
+
+
+def _with_fewer_waves(problem: Problem, search: Search) -> Search:
+    """Return the search with one wave of a period, and what earns most beside it, where they stand for all its waves.
+
+    So many waves imitate others that are not found yet, and leave them nothing to earn afterwards.
+    """
+    terms, at = terms_of(search.fit), search.fit
+    for places in search.grouped(terms):
+        own, rest = [terms[k] for k in places], [t for k, t in enumerate(terms) if k not in places]
+        if len(own) == 1:
+            continue
+        freed = search.freed(*places)
+        best = max(own, key=lambda t: freed.gain(freed.where(t)))
+        pair: list[Sequence[Term]] = [[best], freed.added(best).ranked()[0].terms]
+        if _worth(freed, pair) <= _worth(freed, [own]) + MARGIN:
+            continue
+        if (other := refitted(problem, at, [*rest, *itertools.chain(*pair)])) is not None:
             return _revised(problem, Search(other, search.terms))
     return search
 
