@@ -16,7 +16,9 @@ import sympy as sp
 
 import derive.language.states as language
 from deltacal_gen import states
+from deltacal_gen.diagnosis import library
 from deltacal_gen.machine.registry import mechanism_of
+from deltacal_gen.motion import library as motion_library
 from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.channels import Channels
 from deltacal_gen.physics.terms import Constant, Term, effect_names, load_effect, scaled
@@ -27,7 +29,8 @@ from deltacal_gen.use.spans import Spans
 from derive import compiler
 from derive.effects import constant, covariate, joint_coefficient, state
 from derive.effects.joint_compliance import EFFECT as SPRING
-from derive.language.effects import Effect, Orders, Reference
+from derive.language.effects import IN_MOTION, IN_POSES, Effect, Orders, Points, Reference, Travels
+from derive.language.memory import Memory
 from tests.every_effect import body_of, channels, declared, machines
 
 COMPILER = shutil.which("gcc") or shutil.which("cc") or shutil.which("clang")
@@ -196,7 +199,10 @@ def made(**other: Any) -> Effect:
 
 SOFT = joint_coefficient("soft", "Nm", "twist", (0.0, 1.0))
 ORDER, NUMBER = constant("order", "1", 1.0, "a number"), constant("number", "1", 1.0, "another")
-TORQUE, OTHER, AFTER, READ = state("torque torque_1 after y_x")
+TORQUE, OTHER, AFTER, READ, SPEED = state("torque torque_1 after y_x qd")
+BUILT = sp.Symbol("z", real=True)
+FOLLOWS = Memory(BUILT, "what builds up", SOFT.symbol * SPEED - BUILT, sp.Integer(0))
+OF_DRIVE: dict[str, Any] = {"targets": {"torque": SOFT.symbol * SPEED}}
 REFUSED: dict[str, dict[str, Any]] = {
     "effect made: say in `advice`": {"advice": ""},
     "no state 'torqe'. Did you mean torque": {"targets": {"joint": SOFT.symbol * sp.Symbol("torqe", real=True)}},
@@ -210,12 +216,22 @@ REFUSED: dict[str, dict[str, Any]] = {
     "a reading does not depend on torque_1": {"per_limb": False, "targets": {"length": SOFT.symbol * OTHER}},
     "after is decided by a constant 'when'": {"targets": {"joint": SOFT.symbol * AFTER}},
     "searched twice in the same way": {"searched": (Orders(ORDER), Orders(NUMBER))},
+    "acts on the limb is not searched by Travels; by Orders, Moments": {"searched": (Travels(ORDER),)},
+    "acts on the drive is not searched by Points; by Orders, Sizes, Travels": OF_DRIVE | {"searched": (Points(),)},
+    "has one constant that is searched": OF_DRIVE | {"searched": (Orders(ORDER), Travels(NUMBER))},
+    "linear in its coefficients": OF_DRIVE | {"targets": {"torque": SOFT.symbol**2 * SPEED}},
+    "linear in its coefficients; search": OF_DRIVE | {"memory": (FOLLOWS,), "targets": {"torque": SOFT.symbol * BUILT}},
     "displacement that you computed by hand": {"tests": ()},
     r"gives the states \['q'\].*has \['torque'\]": {"tests": (Reference({"q": 1.0}, {"soft": 0.1}, {"joint": 0.1}),)},
     "beyond what is believable": {"tests": (Reference({"torque": 1.0}, {"soft": -0.1}, {"joint": -0.1}),)},
     "it does not become joint_compliance where its size is large": {"extends": SPRING},
     "the believable range of soft": {"coefficients": (dataclasses.replace(SOFT, believable=(0.1, 1.0)),)},
 }
+
+
+def test_every_way_of_searching_that_may_be_declared_is_searched() -> None:
+    assert {way.kind for way in IN_POSES} == library.SEARCHES.keys() | {"points"}  # whose effect has no constant
+    assert {way.kind for way in IN_MOTION} == motion_library.SEARCHES.keys()
 
 
 @pytest.mark.parametrize("words", REFUSED)

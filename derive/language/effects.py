@@ -120,6 +120,8 @@ class Travels:
 
 
 Searched = Orders | Moments | Points | Joints | Columns | Clocks | Sizes | Travels
+IN_POSES: tuple[type[Searched], ...] = (Orders, Moments, Points, Joints, Columns, Clocks, Sizes)  # by `diagnose`
+IN_MOTION: tuple[type[Searched], ...] = (Orders, Sizes, Travels)  # of drives, in torques along a motion
 
 
 @dataclass(frozen=True)
@@ -162,7 +164,7 @@ class Effect:
     tests : tuple of Reference
         Displacements computed by hand.
     searched : tuple of Searched
-        What is searched, not fitted; at most one of each.
+        What is searched, not fitted; at most one of each, of drives at most one at all.
     whole : bool
         Whether it is one only where a machine has all that it moves. Else it is what the parts that are there make of
         it, with the coefficients that stand in them.
@@ -175,7 +177,8 @@ class Effect:
     ------
     ValueError
         A formula holds what some target could not write (``derive.language.vocabulary``), reads what is no state, or
-        does not vanish with the coefficients; something is missing or said twice.
+        does not vanish with the coefficients; that of a drive is not linear in them; something is missing, said twice,
+        or searched where nothing searches it.
     """
 
     name: str
@@ -282,14 +285,31 @@ class Effect:
                 raise ValueError(f"the believable range of {c.name} is {c.believable}; it holds 0 and has two ends.")
         if wrong := [of for of in self.sized.values() if of not in (s.name for s in self.states)]:
             raise ValueError(f"a constant is searched as a size of {wrong[0]}, which is not read.")
-        if len({s.kind for s in self.searched}) < len(self.searched):
-            raise ValueError("it is searched twice in the same way.")
+        self._check_searched()
         if self.per_limb and self.acts_on not in OF_LIMBS:
             raise ValueError(f"it acts on the {self.acts_on}, of which there is one: no limb has its own coefficients.")
         self._check_extended()
         for s in states:
             self._check_state(s)
         self._check_tests([*(s.name for s in states), *(m.name for m in self.memory)])
+
+    def _check_searched(self) -> None:
+        """Refuse what nothing searches or fits; a regression on the torque takes one constant, and is linear."""
+        of_drive = self.acts_on == "drive"
+        for s in self.searched:
+            if not isinstance(s, known := IN_MOTION if of_drive else IN_POSES):
+                names = ", ".join(way.__name__ for way in known)
+                raise ValueError(f"what acts on the {self.acts_on} is not searched by {type(s).__name__}; by {names}.")
+        if len({s.kind for s in self.searched}) < len(self.searched):
+            raise ValueError("it is searched twice in the same way.")
+        if not of_drive:
+            return
+        if len(self.searched) > 1:
+            raise ValueError("an effect of a drive has one constant that is searched; hold the other in the formula.")
+        varied = {c.symbol for c in self.coefficients}
+        slopes = [e.diff(c) for e in self.targets.values() for c in varied]
+        if any(e.free_symbols & varied for e in (*slopes, *(m.rate for m in self.memory))):
+            raise ValueError("an effect of a drive is linear in its coefficients; search the others as constants.")
 
     def _check_extended(self) -> None:
         """Refuse to extend what the effect does not become."""

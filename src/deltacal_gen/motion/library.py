@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -121,17 +121,18 @@ def rungs(robot: Robot, states: dict[str, Array], used: np.ndarray) -> Iterator[
             continue
         if not kernels.SEARCHED:
             yield Rung(name)
-        elif "orders" in kernels.SEARCHED:
-            yield from (Rung(name, (order,)) for order in _orders(robot, states, used))
-        elif "sizes" in kernels.SEARCHED:
-            (of,) = kernels.SIZED.values()
-            usual = float(np.quantile(np.abs(states[of][used]), 0.95))
-            yield from (Rung(name, (size,)) for size in np.geomspace(SMALLEST * usual, LARGEST * usual, VELOCITIES))
-        elif "travels" in kernels.SEARCHED:
-            yield from (Rung(name, (way,)) for way in _travels(states, used))
+        for searched in kernels.SEARCHED:
+            yield from (Rung(name, (value,)) for value in SEARCHES[searched](robot, kernels, states, used))
 
 
-def _travels(states: dict[str, Array], used: np.ndarray) -> list[float]:
+def _sizes(robot: Robot, kernels: Kernels, states: dict[str, Array], used: np.ndarray) -> list[float]:
+    """Return sizes of a state, from a small part of its usual one to a large part."""
+    (of,) = kernels.SIZED.values()
+    usual = float(np.quantile(np.abs(states[of][used]), 0.95))
+    return np.geomspace(SMALLEST * usual, LARGEST * usual, VELOCITIES).tolist()
+
+
+def _travels(robot: Robot, kernels: Kernels, states: dict[str, Array], used: np.ndarray) -> list[float]:
     """Return ways over which something may build up, so that a joint's samples tell."""
     step = float(np.median(np.diff(states["time"])[np.diff(states["time"]) > 0]))
     shortest = SAMPLES * step * float(np.median(np.abs(states["qd"][used])))
@@ -140,7 +141,7 @@ def _travels(states: dict[str, Array], used: np.ndarray) -> list[float]:
     return [shortest * TRAVELS**k for k in range(count)]
 
 
-def _orders(robot: Robot, states: dict[str, Array], used: np.ndarray) -> list[float]:
+def _orders(robot: Robot, kernels: Kernels, states: dict[str, Array], used: np.ndarray) -> list[float]:
     """Return the periods per turn that a joint's motion can tell: integers, and multiples of its gear ratio."""
     angle, speed = states["turn"][used], float(np.median(np.abs(states["qd"][used])))
     least = PERIODS * 360 * DEG / max(float(np.ptp(angle)), 1e-9)
@@ -151,6 +152,14 @@ def _orders(robot: Robot, states: dict[str, Array], used: np.ndarray) -> list[fl
     if gear is not None and gear > 1:
         orders |= {k * gear for k in (1, 2, 3, 4)}
     return sorted(order for order in orders if least <= order <= most)
+
+
+# of the constant, by how an effect of drives declares that it is searched: one, or it has none
+SEARCHES: Mapping[str, Callable[[Robot, Kernels, dict[str, Array], np.ndarray], list[float]]] = {
+    "orders": _orders,
+    "sizes": _sizes,
+    "travels": _travels,
+}
 
 
 def resolution(states: dict[str, Array]) -> float:
