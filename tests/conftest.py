@@ -9,6 +9,14 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+os.environ.pop("DELTACAL_TRACEBACK", None)  # no test depends on how its shell was set up
+os.environ.pop("DELTACAL_PLAIN_JIT", None)
+os.environ.pop("SOURCE_DATE_EPOCH", None)
+os.environ.pop("FORCE_COLOR", None)
+os.environ.pop("NO_COLOR", None)
+os.environ.pop("PY_COLORS", None)
+os.environ.pop("COLUMNS", None)
+os.environ.pop("TERMINAL_WIDTH", None)
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # small matrices: threads only slow them down
 
 import numpy as np

@@ -124,9 +124,9 @@ def main(arguments: Sequence[str]) -> int:
         of_the_project.install()
         print("", json.dumps(decide(tests).of), sep="\n")
         return 0
-    outcomes, again = decide(tests), by_project()
-    now = float(os.environ.get("SOURCE_DATE_EPOCH") or time.time())
+    now = float(os.environ.get("SOURCE_DATE_EPOCH") or time.time())  # before the tests forget it
     date = time.strftime("%Y-%m-%d", time.gmtime(now))
+    outcomes, again = decide(tests), by_project()
     record = {
         test: {
             "outcome": outcomes.of.get(test, "not run"),

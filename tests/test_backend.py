@@ -64,7 +64,7 @@ def written(given: Path, place: Path, *history: str, cache: Path) -> dict[str, b
     done = subprocess.run(
         [sys.executable, "-c", PROGRAM, ".", *history],
         cwd=place,
-        env=os.environ | {"NUMBA_CACHE_DIR": str(cache), "OPENBLAS_NUM_THREADS": "1"},
+        env=os.environ | {"NUMBA_CACHE_DIR": str(cache), "OPENBLAS_NUM_THREADS": "1", "SOURCE_DATE_EPOCH": "0"},
         capture_output=True,
         text=True,
     )
