@@ -80,17 +80,22 @@ def named(found: Any) -> dict[str, list[int]]:
     return {effect["name"]: effect["limbs"] for effect in found["effects"]}
 
 
-def carried(folder: Path, truth: str, friction: bool = True) -> Path:
-    """Write runs of an arm whose file states all bodies, with a payload that is written as 2 kg; return the path."""
+def planned(folder: Path, truth: str, runs: int = 4, seconds: float = 10.0) -> Path:
+    """Write a trajectory with 2 kg, the robot with all its bodies, and a truth; return the trajectory's path."""
     rows = [["run", "time_s", "q1_deg", "q2_deg", "q3_deg", "payload_kg"]]
-    for run in range(4):
-        q = trajectory(10.0, 60 + run)[0] / DEG
+    for run in range(runs):
+        q = trajectory(seconds, 60 + run)[0] / DEG
         rows += [[str(run), *(f"{v:.6f}" for v in (n * STEP, *row)), "2.0"] for n, row in enumerate(q)]
     path = folder / "trajectory.csv"
     path.write_text("\n".join(",".join(row) for row in rows) + "\n")
     path.with_suffix(".toml").write_text('[measurement]\nkind = "torque"\n')
     (folder / "robot.toml").write_text(robot_to_toml(robot(BODIED)))
     (folder / "truth.toml").write_text(truth)
-    made = folder / "made.csv"
+    return path
+
+
+def carried(folder: Path, truth: str) -> Path:
+    """Write runs of an arm whose file states all bodies, with a payload that is written as 2 kg; return the path."""
+    path, made = planned(folder, truth), folder / "made.csv"
     dc.simulate(folder / "robot.toml", path, made, truth=folder / "truth.toml", noise=NOISE, seed=3)
     return made

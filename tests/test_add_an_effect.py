@@ -1,4 +1,7 @@
-"""An effect is one file: those that the manual prints, put into a copy of the sources, are derived, tested and used."""
+"""An effect is one file: those that the manual prints, put into a copy of the sources, are derived, tested and used.
+
+Of machines at rest two, by every command; of a drive one, by those that know the torque.
+"""
 
 from __future__ import annotations
 
@@ -9,6 +12,7 @@ import shutil
 import subprocess
 import sys
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -18,6 +22,8 @@ from deltacal_gen.files.robot import robot_to_toml
 from deltacal_gen.files.writing import write_recording
 from tests.copies import Checkout, printed, untried
 from tests.left_out import channels, machine
+from tests.motion_recordings import NOISE as TORQUE_NOISE
+from tests.motion_recordings import planned, trajectory
 from tests.test_compensation_effects import At
 
 COMPILER = shutil.which("cc")
@@ -170,12 +176,17 @@ def test_many_recordings_of_it_are_diagnosed(added: Checkout) -> None:
         assert [(e["name"], e["limbs"]) for e in effects] == [(added.name, [LIMB])]
 
 
+def compiled(folder: Path) -> ctypes.CDLL:
+    """Return what was exported as a library."""
+    library = folder / "command.so"
+    flags = ("-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-O2", "-shared", "-fPIC")
+    subprocess.run([str(COMPILER), *flags, "-o", str(library), str(folder / "command.c"), "-lm"], check=True)
+    return ctypes.CDLL(str(library))
+
+
 def commanded_in_c(made: Checkout, targets: np.ndarray, now: dict[str, np.ndarray]) -> np.ndarray:
     """Return the joints (N, 3) [deg] that the exported C commands."""
-    library = made.folder / "command.so"
-    flags = ("-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-O2", "-shared", "-fPIC")
-    subprocess.run([str(COMPILER), *flags, "-o", str(library), str(made.folder / "command.c"), "-lm"], check=True)
-    function, rows = ctypes.CDLL(str(library)).deltacal_command, []
+    function, rows = compiled(made.folder).deltacal_command, []
     none = np.zeros(len(targets))
     for target, warm, payload in zip(targets, now.get("temp_C", none + 20), now.get("payload_kg", none), strict=True):
         out = (ctypes.c_double * 3)()
@@ -183,3 +194,47 @@ def commanded_in_c(made: Checkout, targets: np.ndarray, now: dict[str, np.ndarra
         assert function((ctypes.c_double * 3)(*target), ctypes.byref(at), out) == 0
         rows.append(list(out))
     return np.array(rows)
+
+
+HOSE, PULL = "hose_pull", 0.4  # Nm/deg
+OF_DRIVE = f'[[effects]]\nname = "{HOSE}"\nlimb = {LIMB}\nstiffness = {PULL}\n'
+THREE = ctypes.c_double * 3
+
+
+class Held(ctypes.Structure):
+    """What is kept between calls, as the head of the file of a chain has it."""
+
+    _fields_ = (("joints", THREE), ("torque", THREE), ("period_s", ctypes.c_double), ("begun", ctypes.c_int))
+
+
+def test_an_effect_of_a_drive_is_found_and_fed_forward(tmp_path_factory: pytest.TempPathFactory) -> None:
+    """Of the true machine's torques without noise the exported C leaves less than the noise it was found in."""
+    made = Checkout.with_files(tmp_path_factory.mktemp("sources"), "effects", {HOSE: printed("add-effect", HOSE)})
+    folder = made.folder
+    planned(folder, OF_DRIVE, runs=3, seconds=6.0)
+    given = np.degrees(trajectory(1.0, 7))
+    names = [
+        f"{word}{i}_{unit}" for word, unit in (("q", "deg"), ("qd", "deg_s"), ("qdd", "deg_s2")) for i in (1, 2, 3)
+    ]
+    written(
+        made, "states.csv", dict(zip(["time_s", *names], [0.01 * np.arange(100), *np.hstack([*given]).T], strict=True))
+    )
+    (folder / "states.toml").write_text('[measurement]\nkind = "torque"\n[motion]\nderivatives = "recorded"\n')
+    truth = ("--truth", "truth.toml")
+    made.deltacal(
+        ("simulate", "robot.toml", "trajectory.csv", "-o", "read.csv", *truth, "--noise", TORQUE_NOISE, "--seed", 1),
+        ("simulate", "robot.toml", "states.csv", "-o", "stood.csv", *truth),
+        ("diagnose", "robot.toml", "read.csv", "-o", "found.json"),
+        ("compensate", "found.json", "--export", "c", "-o", "command.c"),
+    )
+    (effect,) = json.loads((folder / "found.json").read_text(encoding="utf-8"))["effects"]
+    assert (effect["name"], effect["limbs"]) == (HOSE, [LIMB])
+    (p,) = effect["parameters"]
+    assert abs(p["value"] - PULL) < 5 * p["std"]
+    if COMPILER:
+        stood = np.genfromtxt(folder / "stood.csv", delimiter=",", names=True)
+        function, held = compiled(folder).deltacal_feedforward_joints, Held(period_s=0.01)
+        for row, at in zip(stood, np.swapaxes(given, 0, 1), strict=True):
+            none = ctypes.c_double(0.0)
+            assert function(ctypes.byref(held), *(THREE(*part) for part in at), none, none) == 0
+            assert np.abs(np.array(held.torque) - [row[f"tau{i}_Nm"] for i in (1, 2, 3)]).max() < TORQUE_NOISE

@@ -21,7 +21,7 @@ from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.motion import library as motion_library
 from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.channels import Channels
-from deltacal_gen.physics.terms import Constant, Term, effect_names, load_effect, scaled
+from deltacal_gen.physics.terms import Constant, Term, drive_effect_names, effect_names, load_effect, scaled
 from deltacal_gen.units import DEG, joint_names
 from deltacal_gen.use.compensation import Compensator
 from deltacal_gen.use.exports import export_c
@@ -34,9 +34,10 @@ from derive.language.memory import Memory
 from tests.every_effect import body_of, channels, declared, machines
 
 COMPILER = shutil.which("gcc") or shutil.which("cc") or shutil.which("clang")
-CASES = [(name, n) for name in effect_names() for n in range(len(declared(name).tests))]
+EVERY = (*effect_names(), *drive_effect_names())
+CASES = [(name, n) for name in EVERY for n in range(len(declared(name).tests))]
 KERNELS = Path(deltacal_kernels.__file__).parent / "effects"
-WITH_C = [name for name in effect_names() if (KERNELS / f"{name}.c").exists()]
+WITH_C = [name for name in EVERY if (KERNELS / f"{name}.c").exists()]
 
 
 # --- the table --------------------------------------------------------------------------------------------------------
@@ -51,7 +52,7 @@ def test_the_runtime_reads_the_table_as_it_is_declared() -> None:
         assert all(states.STATES[other].kind == "channel" for other in s.made_of), s.name
 
 
-@pytest.mark.parametrize("name", effect_names())
+@pytest.mark.parametrize("name", EVERY)
 def test_every_state_that_an_effect_reads_has_a_row(name: str) -> None:
     kernels = load_effect(name)
     assert [s.name for s in declared(name).states] == list(kernels.STATE)
@@ -156,7 +157,7 @@ def test_derivatives_are_the_differences_of_the_value(name: str, n: int) -> None
 
 @pytest.mark.skipif(COMPILER is None, reason="no C compiler on this machine")
 def test_references_hold_in_c(tmp_path: Path) -> None:
-    texts = [(KERNELS / f"{name}.c").read_text(encoding="utf-8").replace("static double", "double") for name in WITH_C]
+    texts = [(KERNELS / f"{name}.c").read_text(encoding="utf-8").replace("\nstatic ", "\n") for name in WITH_C]
     source, library = tmp_path / "effects.c", tmp_path / "effects.so"
     source.write_text("#include <math.h>\n" + "\n".join(texts), encoding="utf-8")
     flags = ("-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-O2", "-shared", "-fPIC")
