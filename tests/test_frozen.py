@@ -10,8 +10,11 @@ import json
 from pathlib import Path
 from typing import Any
 
+import deltacal_kernels
 import pytest
+from deltacal_kernels import effects
 
+from deltacal_gen.instrument.kinds import names as kinds
 from tests.frozen.__main__ import ANSWERS, listed
 from tests.frozen.answers import answered, differences, essence, intended
 from tests.frozen.cases import QUICK, Case, cases
@@ -34,6 +37,13 @@ def test_every_simulated_case_is_committed() -> None:
     simulated = {case.name for case in cases() if not case.name.startswith(("concealed", "real"))}
     assert set(COMMITTED) == simulated
     assert set(QUICK) <= simulated
+
+
+def test_every_mechanism_kind_and_effect_has_a_case() -> None:
+    """Of what is committed: the lists are not asked as registries, since what somebody adds to a copy is not frozen."""
+    wanted = {f"machine-{name}" for name in deltacal_kernels.MECHANISMS} | {f"kind-{name}" for name in kinds()}
+    wanted |= {f"effect-{name}" for name in (*effects.EFFECTS, *effects.OF_DRIVES)}
+    assert wanted - set(COMMITTED) == set()
 
 
 def test_every_intended_difference_has_a_reason() -> None:

@@ -40,6 +40,8 @@ for sys.argv[1:] in json.loads(sys.argv[1]):
     ended.append((code, said.getvalue()))
 print(json.dumps(ended))
 """
+LEFT = ("heldout_rms_mm", "heldout_rms_by_joint")  # at rest, and in motion
+FIGURES = ("model", "rank", "train_rms_mm", "heldout_rms_mm", "sigma_mm", "train_rms_Nm", "heldout_rms_Nm", "sigma_Nm")
 Answers = dict[str, Any]
 
 
@@ -139,7 +141,7 @@ def essence(found: Answers) -> Answers:
     kept: Answers = {k: v for k, v in found.items() if k.startswith(("exit", "error"))}
     if "result.json" in found:
         result = found["result.json"]
-        kept["result.json"] = {k: result[k] for k in ("model", "rank", "train_rms_mm", "heldout_rms_mm", "sigma_mm")}
+        kept["result.json"] = {k: result[k] for k in FIGURES if k in result}
         names = ("name", "value", "std", "unit", "status")
         kept["result.json"]["parameters"] = [{k: p[k] for k in names} for p in result["parameters"]]
     if "diagnosis.json" in found:
@@ -152,7 +154,7 @@ def essence(found: Answers) -> Answers:
                 {k: e[k] for k in ("name", "limbs", "parameters", "indistinguishable_from")}
                 for e in diagnosis["effects"]
             ],
-            "heldout_rms_mm": [diagnosis[k]["heldout_rms_mm"] for k in ("baseline", "final")],
+            **{key: [diagnosis[k][key] for k in ("baseline", "final")] for key in LEFT if key in diagnosis["final"]},
         }
     for name, content in found.items():
         if name.endswith(".csv") and name != "recording.csv":

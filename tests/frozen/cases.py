@@ -1,7 +1,8 @@
 """The cases whose answers are frozen: files and commands, nothing of the package itself.
 
 A case is a folder of input files and the commands that are run on them. Simulated ones are written here, one for each
-mechanism, kind of measurement and effect; those of a folder ``shared`` beside the checkout are taken as they are.
+mechanism, kind of measurement and effect, of drives too; those of a folder ``shared`` beside the checkout are taken as
+they are.
 """
 
 from __future__ import annotations
@@ -110,6 +111,7 @@ MACHINES = {  # example, noise [mm], targets [mm]
     "simplified_parallelogram": ("planar_parallelogram", 0.003, ()),
     "robotennis": ("robotennis", 0.005, ((0, 0, 800), (120, -80, 900))),
     "serial": ("serial", 0.02, ()),
+    "hexapod": ("hexapod", 0.003, ()),
 }
 
 
@@ -230,6 +232,11 @@ def _sockets(folder: Path) -> None:
     _write(folder, {"robot.toml": robot, "recording.csv": table, "recording.toml": sidecar})
 
 
+def _drawn(folder: Path) -> None:
+    files = _example("delta")
+    _write(folder, {name: files[name] for name in ("robot.toml", "truth.toml")})
+
+
 def _kinds() -> Iterator[Case]:
     base = "base_point_mm = [0.0, 0.0, 0.0]\n"
     for kind, extra in (("position", ""), ("pose", "sigma_deg = 0.003\n"), ("distance", ""), ("gauge", base)):
@@ -237,6 +244,11 @@ def _kinds() -> Iterator[Case]:
         yield Case(f"kind-{kind}", _delta_kind(kind, extra), _predicting(_simulated(model)))
     yield Case("kind-height", _bed(distances=False), _predicting(_simulated(noise=0.005)))
     yield Case("kind-height_distance", _bed(distances=True), _predicting(_simulated(noise=0.005)))
+    yield Case("kind-encoder", _delta_kind("encoder"), _predicting(_simulated()))
+    for name, noise in (("touched_board", 0.02), ("board_image", 0.1)):  # mm, px
+        plan = ("plan", "robot.toml", "--model", "delta/18", "--kind", name.replace("_", " "), "--optimal", "24")
+        asked = _predicting(_simulated("delta/18", noise, export=False))
+        yield Case(f"kind-{name}", _drawn, ((*plan, "-o", "poses.csv"), *asked))
     yield Case("kind-sphere", _ball, _predicting(_simulated(noise=0.1)))  # px
     asked = ("identify", "robot.toml", "recording.csv", "-o", "result.json")
     yield Case("kind-contact", _sockets, (asked, ("diagnose", *asked[1:-1], "diagnosis.json")))
@@ -253,15 +265,21 @@ GEARED = {  # amplitudes on the demonstration's machine that stand well above 0.
     "instrument_drift": "rate_x = 0.2\nrate_y = -0.1\nrate_z = 0.15",
     "instrument_offset": "offset_x = 0.0\noffset_y = 0.08\noffset_z = 0.05",
     "instrument_scale": "scale = 250.0",
+    "instrument_slip": "offset_x = 0.1\noffset_y = -0.15\noffset_z = 0.2\nwhen = 1500.0",
     "joint_axis_runout": "limb = 2\ncos = 0.05\nsin = 0.08",
     "joint_compliance": "limb = 1\ncompliance = 0.006",
+    "joint_coupling": "limb = 3\ncoupling = 0.0015\nof = 1",
     "joint_scale": "limb = 3\nscale = 0.002",
     "latency": "delay = 0.002",
+    "part_tilt": 'limb = 2\ntilt_x = 0.03\ntilt_y = -0.02\nof = "level_mrad"',
     "payload_deflection": "limb = 2\ncompliance = 0.008",
     "proximal_bending": "limbs = [1, 2, 3]\ncompliance = 0.01",
+    "saturating_compliance": "limb = 2\ncompliance = 0.02\nlimit = 4.0",
     "thermal_growth": "expansion_proximal = 3e-5\nexpansion_distal = 2e-5\nexpansion_base = 1e-5",
     "thermal_zero": "limb = 1\ndrift = 0.01",
+    "tool_slip": "offset_x = 0.1\noffset_y = -0.15\noffset_z = 0.2\nwhen = 1500.0",
     "transmission_eccentricity": "limb = 2\norder = 33\ncos = 0.02\nsin = 0.01",
+    "warm_up": "limb = 1\nsize = 0.06\ntime_constant = 900.0",
     "zero_drift": "limb = 3\nrate = 0.08",
     "zero_jump": "limb = 1\nsize = 0.06\nwhen = 1500.0",
 }
@@ -274,6 +292,39 @@ DRIVEN = {  # a sliding joint: mm for deg
     "latency": "delay = 0.004",
     "transmission_eccentricity": "limb = 2\norder = 1\ncos = 0.03\nsin = 0.02",
 }
+CARRIED = {  # by an arm, and by one that a column lifts
+    "link_bending": ("arm", "limb = 2\ncompliance = 0.002"),
+    "link_torsion": ("arm", "limb = 3\ncompliance = 0.005"),
+    "joint_tilt_compliance": ("arm", "limb = 4\ncompliance_x = 0.004\ncompliance_y = 0.005"),
+    "column_lean": ("lift", "limb = 1\ncompliance = 3e-6"),
+}
+LIFT = """[robot]
+name = "lift"
+mechanism = "serial"
+[geometry]
+tool = [40.0, -15.0, 90.0]
+"""
+for sort, numbers, mass, com in (
+    ("prismatic", "d = 400.0", 12.0, (60.0, 0.0, -30.0)),
+    ("revolute", "a = 450.0\nd = 80.0", 6.0, (-200.0, 0.0, 0.0)),
+    ("revolute", "a = 380.0\nalpha = 90.0", 4.0, (-170.0, 0.0, 20.0)),
+    ("revolute", "d = 120.0", 1.0, (0.0, 0.0, -30.0)),
+):
+    LIFT += f'[[joint]]\nkind = "{sort}"\n{numbers}\nmass = {mass}\ncom = {list(com)}\n'
+OF_DRIVES = {  # on the second of three joints; Nm, deg, kg, K, s
+    "coulomb_friction": "coulomb = 4.0",
+    "load_friction": "load = 0.15",
+    "presliding_friction": "stiffness = 8.0\ncoulomb = 6.0",
+    "quadratic_friction": "quadratic = 0.003",
+    "rotor_inertia": "inertia = 2e6",
+    "stribeck_friction": "stribeck = 4.0\nvelocity = 6.0",
+    "torque_offset": "offset = 2.0",
+    "torque_ripple": "order = 12\ncos = 0.8\nsin = -0.5",
+    "viscous_friction": "viscous = 0.2",
+    "warm_friction": "warm = -0.004",
+}
+FED_FORWARD = ("compensate", "diagnosis.json", "poses.csv", "--trajectory", "-o", "torques.csv")
+LINKS = ((0.0, 90.0, 320.0, 9.0), (600.0, 0.0, 0.0, 8.0), (500.0, 0.0, 0.0, 5.0))  # a, alpha, d: mm, deg; kg
 
 
 def _geared(name: str) -> Callable[[Path], None]:
@@ -284,6 +335,8 @@ def _geared(name: str) -> Callable[[Path], None]:
         if name in ("latency", "inertial_deflection"):
             poses |= {f"qd{i}_deg_s": (60 * rng.standard_normal(n)).round(2) for i in (1, 2, 3)}
             poses |= {f"qdd{i}_deg_s2": (800 * rng.standard_normal(n)).round(1) for i in (1, 2, 3)}
+        if name == "part_tilt":
+            poses["level_mrad"] = rng.standard_normal(n).round(3)
         if name == "instrument_offset":
             points = np.array([(0.0, 0.0, -45.0), (40.0, 0.0, -45.0), (-20.0, 35.0, -10.0)])[rng.integers(3, size=n)]
             poses |= dict(zip(("tool_x_mm", "tool_y_mm", "tool_z_mm"), points.T, strict=True))
@@ -293,6 +346,8 @@ def _geared(name: str) -> Callable[[Path], None]:
         fresh = _table({k: v[1::7] for k, v in poses.items()})
         targets = {"x_mm": [0.0, 110.0], "y_mm": [0.0, -170.0], "z_mm": [-735.0, -860.0], "payload_kg": [1.0, 0.0]}
         targets |= {"temp_C": [24.0, 21.0], "time_s": [6000.0, 6100.0]} | {f"approach{i}": [1, -1] for i in (1, 2, 3)}
+        if name == "part_tilt":
+            targets["level_mrad"] = [0.5, -1.0]
         _write(folder, {**files, "fresh.csv": fresh, "fresh.toml": files["poses.toml"], "targets.csv": _table(targets)})
 
     return write
@@ -317,6 +372,43 @@ def _printed(name: str, amplitudes: str) -> Callable[[Path], None]:
     return write
 
 
+def _carried(name: str) -> Callable[[Path], None]:
+    def write(folder: Path) -> None:
+        machine, amplitudes = CARRIED[name]
+        rng, n = np.random.default_rng(13), 150
+        files = _example("serial") if machine == "arm" else {"robot.toml": LIFT}
+        most = {"arm": [("deg", 70.0)] * 6, "lift": [("mm", 150.0), *[("deg", 80.0)] * 3]}[machine]
+        poses = {f"q{i}_{unit}": rng.uniform(-size, size, n).round(3) for i, (unit, size) in enumerate(most, 1)}
+        poses["payload_kg"] = rng.choice([0.0, 2.0, 4.0], n)
+        files["poses.csv"], files["poses.toml"] = _table(poses), '[measurement]\nkind = "pose"\nframe = "unknown"\n'
+        _write(folder, {**files, "truth.toml": f'[[effects]]\nname = "{name}"\n{amplitudes}\n'})
+
+    return write
+
+
+def _moved(name: str) -> Callable[[Path], None]:
+    """Write a trajectory of an arm whose bodies are known, sums of waves, in a hall that warms."""
+
+    def write(folder: Path) -> None:
+        rng, time = np.random.default_rng(17), np.arange(0.0, 10.0, 0.01)
+        rows = []
+        for run in range(4):
+            size, phase = rng.uniform(8.0, 20.0, (2, 4, 3)) * [[[1.0]], [[0.3]]]
+            waves = 2 * np.pi * np.array([0.1, 0.23, 0.41, 0.6])
+            q = (size * np.sin(waves[:, None] * time[:, None, None] + phase)).sum(axis=1)
+            rows += [[run, t, *at, 20 + 5 * run] for t, at in zip(time.round(2), q.round(6), strict=True)]
+        names = ("run", "time_s", "q1_deg", "q2_deg", "q3_deg", "temp_C")
+        robot = '[robot]\nname = "arm"\nmechanism = "serial"\n'
+        for a, alpha, d, mass in LINKS:
+            robot += f'[[joint]]\nkind = "revolute"\na = {a}\nalpha = {alpha}\nd = {d}\nmass = {mass}\n'
+            robot += "com = [-100.0, 20.0, 30.0]\ninertia = [2e4, 3e4, 4e4, 1e3, 2e3, 3e3]\n"
+        files = {"robot.toml": robot, "poses.csv": _table(dict(zip(names, zip(*rows, strict=True), strict=True)))}
+        files["poses.toml"] = '[measurement]\nkind = "torque"\n'
+        _write(folder, {**files, "truth.toml": f'[[effects]]\nname = "{name}"\nlimb = 2\n{OF_DRIVES[name]}\n'})
+
+    return write
+
+
 def _effects() -> Iterator[Case]:
     for name in GEARED:
         yield Case(f"effect-{name}", _geared(name), _simulated())
@@ -325,6 +417,11 @@ def _effects() -> Iterator[Case]:
         yield Case(f"effect-{name}", _printed(name, amplitudes), _predicting(_simulated(model, 0.005)))
     for name, amplitudes in DRIVEN.items():
         yield Case(f"effect-{name}-sliding", _printed(name, amplitudes), _predicting(_simulated(None, 0.005)))
+    for name in CARRIED:
+        yield Case(f"effect-{name}", _carried(name), _predicting(_simulated(None, export=False)))
+    for name in OF_DRIVES:
+        asked = [c for c in _predicting(_simulated(None, 0.05)) if "targets.csv" not in c]
+        yield Case(f"effect-{name}", _moved(name), (*asked, FED_FORWARD))
     yield Case("effect-parallelogram_error", _delta_kind("position"), _predicting(_simulated("delta/18")))
 
 
