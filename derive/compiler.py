@@ -30,8 +30,9 @@ from derive.backends import servo as commands
 from derive.backends.ir import Kernel
 from derive.blocks import nominal
 from derive.first_order import linear
-from derive.language.effects import Effect
+from derive.language.effects import Effect, Orders
 from derive.language.states import COVARIATE, STATES
+from derive.language.targets import LAWFUL, TARGETS
 from derive.lower import lower
 from derive.mathematics.bodies import INERTIA
 from derive.mathematics.chains import links
@@ -58,6 +59,7 @@ COMMON = (
     "effects/__init__.py",
     "effects/compiled/__init__.py",
     "effects/states.py",
+    "effects/targets.py",
     "measurements/__init__.py",
     "measurements/compiled/__init__.py",
 )
@@ -309,9 +311,9 @@ def _tables(mechanism: LimbMechanism) -> dict[str, Any]:
     }
 
 
-def _common(every: Mapping[str, Sequence[str]]) -> dict[Path, str]:
-    """Return the files that belong to no spec alone; `every` holds the names of mechanisms and effects."""
-    words = {"states": STATES.values(), "covariate": COVARIATE}
+def _common(every: Mapping[str, Sequence[Any]]) -> dict[Path, str]:
+    """Return the files that belong to no spec alone; `every` tells of mechanisms and effects."""
+    words = {"states": STATES.values(), "covariate": COVARIATE, "targets": TARGETS, "lawful": LAWFUL}
     plain, of_poses = _lowered(rotations()), _lowered(rotations("own", "pose", 3))
     context = {**every, **words, "plain": plain, "kernels": of_poses, "images": _lowered(images())}
     context["command"] = COMMAND
@@ -373,10 +375,11 @@ def render(names: Sequence[str] = ()) -> dict[Path, str]:
     old = committed() if names else {}
     known = {path.parts for path in (*old, *texts)}
     effects = [e for e in registry.effects() if ("effects", f"{e.name}.py") in known]
-    every = {
+    every: dict[str, Sequence[Any]] = {
         "mechanisms": [name for name in registry.mechanism_names() if (name, "parameters.py") in known],
         "effects": [e.name for e in effects if e.acts_on != "drive"],
         "of_drives": [e.name for e in effects if e.acts_on == "drive"],
+        "orders": [(e.name, s.constant.name) for e in effects for s in e.searched if isinstance(s, Orders)],
     }
     texts |= _common(every)
     texts[SIZES] = sizes({path: text for path, text in (old | texts).items() if path != SIZES})

@@ -21,6 +21,7 @@ from deltacal_gen.physics.formula import FUNCTIONS, Formula, unit, written
 from deltacal_gen.physics.law import load_law
 from deltacal_gen.physics.terms import Term, kept_term, term_of
 from deltacal_gen.use.known import _term_flaws
+from derive.language import vocabulary
 from tests.left_out import channels, machine, record
 
 LIMB = 2
@@ -64,6 +65,8 @@ def test_units_are_checked_and_those_of_constants_follow(text: str, units: dict[
         ("joint = c1*__import__('os')", "no function '__import__'"),
         ("joint = c1*q.real", "'Attribute' is not of the language"),
         ("elbow = c1*q", "is no law"),
+        ("limb.elbow = c1*q", "is no law"),
+        ("joint.x = c1*q", "is no law"),
         ("tool.x = c1*torque", "torque_1 is that of joint 1"),
         ("reading.x = c1*torque_1", "but through the pose"),
         ("joint = c1*Lag(q*2, c2)", "by its name"),
@@ -163,3 +166,7 @@ def test_what_lags_follows_exactly_and_begins_anew_in_every_run() -> None:
     exact = sp.dsolve(y(t).diff(t) - (1 + t - y(t)) / 7, ics={y(0): 2}).rhs.subs(t, 3)
     assert after[0] == pytest.approx(float(exact), abs=1e-12)
     assert after[1] == pytest.approx(np.exp(-3 / 7))
+
+
+def test_formulas_and_effects_are_made_of_the_same_functions() -> None:
+    assert {*FUNCTIONS, "Piecewise"} == {"sqrt", *(f.__name__ for f in vocabulary.FUNCTIONS)}

@@ -1,9 +1,11 @@
 """One place for what a state is, one for a kind of measurement, one for a sort of machine: read from syntax trees.
 
 A state's name or column that is compared, or stands in a table beside others, says that somebody else knows what states
-are; so does a kind's name outside its object, and the class of a machine outside its wing. Everybody else asks a field
-of the state (``derive/language/states.py``), a method of the kind (``instrument/kind.py``) or what the machine says it
-can do (``machine/machine.py``). Where a name may stand all the same is told below, with the reason.
+are; so does a kind's name outside its object, and the class of a machine outside its wing. So does an effect's name
+anywhere, that of a target in full or in a table, and of a constant that is compared. Everybody else asks a field of the
+state (``derive/language/states.py``), a method of the kind (``instrument/kind.py``), what the machine says it can do
+(``machine/machine.py``), a table of the effect or that of targets (``derive/language/targets.py``). Where a name may
+stand all the same is told below, with the reason.
 """
 
 from __future__ import annotations
@@ -13,9 +15,11 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
+from deltacal_kernels.effects.targets import LAWFUL, TARGETS
 
 from deltacal_gen import states
 from deltacal_gen.instrument import kinds
+from deltacal_gen.physics.terms import drive_effect_names, effect_names, load_effect
 from deltacal_gen.results.reader import KINDS_IN_MOTION
 
 SOURCE = Path(__file__).resolve().parents[1] / "src" / "deltacal_gen"
@@ -26,6 +30,9 @@ COLUMNS = {
     pattern for s in states.STATES.values() for pattern in (s.column, s.column.format(i=1, unit="deg")) if pattern
 }
 KINDS = {*kinds.names(), *KINDS_IN_MOTION}
+EFFECTS = {*effect_names(), *drive_effect_names()}
+CONSTANTS = {key for name in EFFECTS for key, *_ in load_effect(name).CONSTANTS}
+ON = {target.partition(".")[0] for target in TARGETS}
 ASKS = ("startswith", "endswith", "removeprefix", "removesuffix", "get_close_matches")
 
 OF_STATES = {
@@ -61,6 +68,15 @@ OF_MACHINES = {
     "files/robot.py": "reads and writes robot files, of which some list links one by one",
     "files/checks.py:check_units": "asks the robot file whether it lists links: a chain reaches as far as they slide",
     "estimation/arrays.py:nominal": "makes a robot of dimensions alone, which one that lists links has not",
+}
+OF_EFFECTS = {
+    "motion/joint.py:the module": "what every drive has, to begin with",
+    "motion/lag.py:the module": "the delay of a drive's readings, which is no term beside others: all terms come late",
+    "files/robot.py:_joint_table": "a key of a joint's table, which has the same name",
+    "machine/dynamics.py:stated": "a field of a joint of the robot file, which has the same name",
+}
+OF_TARGETS = {
+    "physics/law.py:units": "the units of targets: mm but of these",
 }
 
 
@@ -125,6 +141,20 @@ def of_kinds(node: ast.AST) -> bool:
     return False
 
 
+def of_effects(node: ast.AST) -> bool:
+    """Tell whether a node names an effect, or compares the name of a constant of effects."""
+    if isinstance(node, ast.Compare):
+        return bool(words(node.left, *node.comparators) & CONSTANTS)
+    return isinstance(node, ast.Constant) and node.value in EFFECTS
+
+
+def of_targets(node: ast.AST) -> bool:
+    """Tell whether a node names a target in full, or tabulates what stands before the dot."""
+    if isinstance(node, ast.Dict):
+        return len(words(*node.keys) & ON) > 1
+    return isinstance(node, ast.Constant) and node.value in TARGETS.keys() - ON
+
+
 def of_machines(node: ast.AST) -> bool:
     """Tell whether a node asks what sort a machine is instead of what it can do."""
     sorts = {"Chain", "Limbs", "ChainDynamics", "LimbDynamics"}
@@ -140,9 +170,11 @@ def of_machines(node: ast.AST) -> bool:
     [
         (of_states, ("states.py",), OF_STATES),
         (of_kinds, ("instrument/kinds/",), OF_KINDS),
+        (of_effects, (), OF_EFFECTS),
+        (of_targets, (), OF_TARGETS),
         (of_machines, ("machine/",), OF_MACHINES),
     ],
-    ids=["states", "kinds", "machines"],
+    ids=["states", "kinds", "effects", "targets", "machines"],
 )
 def test_what_is_known_is_known_in_one_place(
     rule: Callable[[ast.AST], bool], home: tuple[str, ...], allowed: dict[str, str]
@@ -153,3 +185,7 @@ def test_what_is_known_is_known_in_one_place(
     )
     assert {where for where in allowed if not any(line.startswith(where) for line in found)} == set(), "no longer there"
     assert all(allowed.values())
+
+
+def test_a_law_is_looked_for_on_targets_that_there_are() -> None:
+    assert set(LAWFUL) <= TARGETS.keys()

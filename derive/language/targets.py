@@ -32,16 +32,21 @@ PARTS = {
     "lean_tangential": "axis of a sliding joint, counter-clockwise",
 }
 AXES = ("x", "y", "z")
-ON = {  # what an effect acts on, by the first word of its targets, and what may follow that word
-    "joint": ("limb", ("",)),
-    "torque": ("drive", ("",)),
-    "limb": ("limb", tuple(PARTS)),
-    "turn": ("base", AXES),
-    "tool": ("point", AXES),
-    "reading": ("reading", AXES),
-    "length": ("reading", ("",)),
-    "height": ("reading", ("",)),
+TARGETS = {  # what an effect on each acts on
+    "joint": "limb",
+    "torque": "drive",
+    **{f"limb.{part}": "limb" for part in PARTS},
+    **{f"turn.{axis}": "base" for axis in AXES},
+    **{f"tool.{axis}": "point" for axis in AXES},
+    **{f"reading.{axis}": "reading" for axis in AXES},
+    "length": "reading",
+    "height": "reading",
 }
+ON = {target.partition(".")[0]: on for target, on in TARGETS.items()}  # the same by their first words
+LAWFUL = (  # on which a law is looked for that nobody registered
+    *("joint", "limb.arm", "limb.rod", "limb.outwards", "limb.tip_v", "limb.tip_w"),
+    *("turn.x", "turn.y", "tool.x", "tool.y", "tool.z", "reading.x", "reading.y", "reading.z", "length"),
+)
 
 
 def acts_on(targets: Iterable[str]) -> str:
@@ -54,12 +59,9 @@ def acts_on(targets: Iterable[str]) -> str:
     """
     found: dict[str, str] = {}
     for target in targets:
-        word, _, part = target.partition(".")
-        on, parts = ON.get(word, ("", ()))
-        if part not in parts:
-            known = ", ".join(f"{w}.{p}" if p else w for w, (_, ps) in ON.items() for p in ps)
-            raise ValueError(f"nothing is called '{target}'; an effect moves {known}.")
-        found[on] = target
+        if target not in TARGETS:
+            raise ValueError(f"nothing is called '{target}'; an effect moves {', '.join(TARGETS)}.")
+        found[TARGETS[target]] = target
     if len(found) != 1:
         one = " and ".join(found.values()) or "nothing"
         raise ValueError(f"it moves {one}; what moves a limb, the base, a point and the reading are different effects.")

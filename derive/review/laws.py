@@ -308,7 +308,7 @@ def reaches(targets: Iterable[str], *, loaded: bool) -> list[Law]:
         text = "The reading moves with the pose, as the instrument sees it."
         reading = sp.MatrixSymbol("∂y/∂x", three, _f) * x
         found.append(law(text, (y, reading), ends=[Instrument.linearise], look=names.get))
-    if any(ON[kind][0] == "reading" for kind in kinds):
+    if any(ON[kind] == "reading" for kind in kinds):
         text = "It acts on the reading itself; no pose and no command changes."
         found.append(law(text, (y, moved("reading")), ends=[reading_shift], look=names.get))
     return found

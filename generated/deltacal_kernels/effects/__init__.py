@@ -47,3 +47,7 @@ OF_DRIVES = (  # that act on what drives give
     "viscous_friction",
     "warm_friction",
 )
+ORDERS = {  # the constants that are periods per turn
+    "torque_ripple": "order",
+    "transmission_eccentricity": "order",
+}

@@ -360,7 +360,7 @@ def _entry(why: str, found: Proposal, truth: Term, rival: Term | None, problem: 
 
 
 def _reads_only(term: Term) -> bool:
-    return all(t == "length" or t.startswith("reading.") for t in term.kernels.TARGETS)
+    return bool(term.kernels.ACTS_ON == "reading")
 
 
 def _with_thermometer(at: Fit) -> Fit:

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 AT_REST = 0.01  # of a joint's highest speeds: below it friction is not known; of another joint's: it stands
 NOISY_SPEED = 5.0  # standard deviations of a velocity: nor is its sign
-USUAL = ("coulomb_friction", "viscous_friction", "torque_offset")  # what every drive has, to begin with
+DRY, VISCOUS, OFFSET = USUAL = "coulomb_friction", "viscous_friction", "torque_offset"  # what every drive begins with
 HIGHEST = 0.99  # quantile of speeds that is meant by highest
 TURNED = 30.0  # of chi2: what friction that drives a joint must earn, so that its reading counts as turned round
 FEW = 100  # samples: a joint with fewer in motion is not looked at

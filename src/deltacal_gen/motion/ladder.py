@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from deltacal_gen.motion.joint import DRY, VISCOUS
 from deltacal_gen.motion.library import Rung
 from deltacal_gen.motion.regression import Bench
 
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
 BUYS = 0.02  # of the held-out rms: what a rung must take away
 NEARLY = 0.5  # of that: a size between those that are searched may buy the rest
 MOST = 8  # rungs
-BEGUN_WITH = ("coulomb_friction", "viscous_friction")
+BEGUN_WITH = DRY, VISCOUS
 LOOKED_AT = 15  # of the candidates that leave least of the samples of a fit: the ones that are held out
 ROUNDS = 3  # of climbing and stepping back
 PER_COEFFICIENT = 6.0  # of chi2: what a coefficient must earn; and twice the logarithm of how many were looked at

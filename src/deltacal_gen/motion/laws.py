@@ -20,6 +20,7 @@ import numpy as np
 from scipy.optimize import minimize
 
 from deltacal_gen.motion.fit import Fit, fitted
+from deltacal_gen.motion.joint import OFFSET
 from deltacal_gen.motion.ladder import BEGUN_WITH, BUYS, PER_COEFFICIENT, Ladder, columns_of
 from deltacal_gen.motion.library import LOAD, Rung
 from deltacal_gen.motion.regression import BETWEEN, Bench
@@ -33,7 +34,6 @@ if TYPE_CHECKING:
 
 # states that a law is made of; of the time none is: what wanders is met by any function of it
 OF = [s.name for s in sorted(STATES.values(), key=lambda s: s.drive_law) if s.drive_law]
-OFFSET = "torque_offset"
 TERMS = 4  # of a law
 SWEEPS = 3  # of refining terms beside one another
 SETTLES = 4  # fits in which a load and a law of it settle

@@ -16,7 +16,7 @@ from deltacal_gen.errors import InputError
 from deltacal_gen.files.toml import Raw, Table, TomlFile, nearest, toml_text
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.derivatives import motion
-from deltacal_gen.motion.joint import earlier
+from deltacal_gen.motion.joint import DRY, earlier
 from deltacal_gen.motion.lag import LATENCY
 from deltacal_gen.motion.library import Rung, of_joint
 from deltacal_gen.motion.payload import NAMES, PAYLOAD, torque_of
@@ -29,7 +29,7 @@ from deltacal_gen.units import of_sliding
 if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Array
 
-DRY, FORCE = "coulomb_friction", "coulomb"  # what builds up over a way, by the effect and its coefficient
+FORCE = "coulomb"  # what builds up over a way: the coefficient of dry friction
 
 
 class _File(Table):

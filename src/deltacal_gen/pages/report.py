@@ -403,7 +403,7 @@ def _beside(harmonics: Sequence[Effect]) -> str:
     """Return what harmonics make of a periodic error, in words; "" where there are none."""
     if not harmonics:
         return ""
-    orders = sorted(float(p.value) for e in harmonics for p in e.parameters if p.name == "order")
+    orders = sorted(order for e in harmonics for order in e.periods)
     return f", no sine: with harmonics {', '.join(f'{order:g}' for order in orders)}"
 
 

@@ -13,6 +13,7 @@ from collections.abc import Sequence
 from functools import cache
 
 import numpy as np
+from deltacal_kernels.effects.targets import TARGETS
 
 from deltacal_gen import states
 from deltacal_gen.machine.registry import Array
@@ -23,10 +24,6 @@ PREFIX = "law "
 ROUNDING = 1e-9  # of the width that was seen: less beyond it is none
 SEEN_AT = 1000  # points of the ranges of its states at which is seen by how much a law varies there
 BEYOND = 0.5  # of the width that was seen: how far a law goes on beyond it
-ON = {
-    **{"joint": "limb", "torque": "limb", "limb": "limb"},
-    **{"turn": "base", "tool": "point", "reading": "reading", "length": "reading"},
-}
 LEAST, MOST = "least_", "most_"  # of a state, where the law was found
 ADVICE = (
     "Nobody has registered this: it was read from the recording. Look for a part that behaves so; until then command "
@@ -54,13 +51,13 @@ class Law:
 
     def __init__(self, name: str) -> None:
         target, equals, text = name.removeprefix(PREFIX).partition(" = ")
-        word = target.partition(".")[0]
-        if not name.startswith(PREFIX) or not equals or word not in ON:
-            raise ValueError(f"'{name}' is no law: write '{PREFIX}TARGET = FORMULA', TARGET one of {', '.join(ON)}.")
+        if not name.startswith(PREFIX) or not equals or target not in TARGETS:
+            known = ", ".join(TARGETS)
+            raise ValueError(f"'{name}' is no law: write '{PREFIX}TARGET = FORMULA', TARGET one of {known}.")
         self.NAME, self.formula = name, formula(text)
         self.TITLE = f"{target} {'is more' if target == 'torque' else 'moves'} by {text}"
-        self.ACTS_ON = ON[word]
-        self.PER_LIMB = self.ACTS_ON == "limb"
+        self.ACTS_ON = TARGETS[target]
+        self.PER_LIMB = self.ACTS_ON in ("limb", "drive")
         self.TARGETS = (target,)
         coefficients = self.formula.linear
         own = [n for n in self.formula.names if n not in coefficients and is_constant(n)]

@@ -10,6 +10,9 @@ from deltacal_gen.instrument.kind import Readings
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.body import Body, states_read
 from deltacal_gen.physics.terms import Term
+from deltacal_gen.states import STATES
+
+READ = tuple(s.name for s in STATES.values() if s.kind == "reading")
 
 
 def reading_shift(terms: Sequence[Term], body: Body, found: Readings, values: Array, x: Array) -> tuple[Array, Array]:
@@ -33,7 +36,7 @@ def reading_shift(terms: Sequence[Term], body: Body, found: Readings, values: Ar
         on = [(j, columns[t]) for j, t in enumerate(kernels.TARGETS) if t in columns]
         if on and kernels.ACTS_ON == "reading":
             # a column that this kind of reading does not have is read by no target that acts here
-            state = dict.fromkeys(("y_x", "y_y", "y_z", "y_length"), np.zeros(R))
+            state = dict.fromkeys(READ, np.zeros(R))
             state |= {f"y_{t.rpartition('.')[2]}": values[:, c] for t, c in columns.items()}
             machine = body.state(states_read([term]), x, body.q, np.zeros((0, 0, 0)))  # no parameter is read
             state |= {name: (v if v.ndim == 1 else v.mean(axis=1))[rows] for name, v in machine.items()}

@@ -5,6 +5,8 @@ from __future__ import annotations
 from enum import StrEnum
 from typing import Literal
 
+from deltacal_kernels.effects import ORDERS
+
 from deltacal_gen.results.base import Answer, Column, Counts, Rows, Value
 from deltacal_gen.results.parts import (
     InstrumentState,
@@ -144,6 +146,11 @@ class Effect(Value):
     share_of_excess: float
     """Part of the held-out variance above noise that it removes."""
     indistinguishable_from: tuple[str, ...]
+
+    @property
+    def periods(self) -> tuple[float, ...]:
+        """Periods per turn that were searched for and found, of a wave of the joint's turn: one for each joint."""
+        return tuple(float(p.value) for p in self.parameters if p.name == ORDERS.get(self.name))
 
 
 class LawCoefficient(Value):
@@ -415,10 +422,9 @@ class Diagnosis(Answer):
 
     def harmonics(self, of: Effect) -> tuple[Effect, ...]:
         """Return the harmonics that are one finding with an effect, if it is a fundamental that has some."""
-        order = next((p.value for p in of.parameters if p.name == "order"), None)
-        if order is None or of.harmonic_of is not None:
+        if not of.periods or of.harmonic_of is not None:
             return ()
-        return tuple(e for e in self.effects if e.harmonic_of == order and e.limbs == of.limbs)
+        return tuple(e for e in self.effects if e.harmonic_of == of.periods[0] and e.limbs == of.limbs)
 
     @property
     def headline(self) -> str:

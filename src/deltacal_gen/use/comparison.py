@@ -167,8 +167,7 @@ def _in_motion(found: MotionResult | MotionDiagnosis) -> dict[str, tuple[float, 
 
 def _order(effect: TorqueEffect) -> str:
     """Return what tells two effects of one name apart."""
-    orders = dict.fromkeys(p.value for p in effect.parameters if p.name == "order")
-    return "".join(f" {order:g}" for order in orders if not isinstance(order, str))
+    return "".join(f" {order:g}" for order in dict.fromkeys(effect.periods))
 
 
 def _told_apart(entries: Sequence[Change], limit: float) -> tuple[list[Change], list[Change]]:

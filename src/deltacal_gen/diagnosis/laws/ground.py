@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+from deltacal_kernels.effects.targets import LAWFUL as TARGETS
 
 from deltacal_gen.diagnosis.beside import Beside
 from deltacal_gen.diagnosis.charges import gains
@@ -30,10 +31,6 @@ from deltacal_gen.physics.parts import has_load
 from deltacal_gen.physics.terms import Term, blank
 from deltacal_gen.states import CHANNELS, STATES, TIME, named
 
-TARGETS = (
-    *("joint", "limb.arm", "limb.rod", "limb.outwards", "limb.tip_v", "limb.tip_w"),
-    *("turn.x", "turn.y", "tool.x", "tool.y", "tool.z", "reading.x", "reading.y", "reading.z", "length"),
-)
 BOUNDLESS = 1e100  # standard deviations: what moves readings by more, an exponential far off, is no law
 LAWFUL = sorted((s for s in STATES.values() if s.law), key=lambda s: s.law)  # what laws look at
 OWN = [s.name for s in LAWFUL if s.per != "machine"]  # of a limb
