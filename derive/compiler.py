@@ -200,7 +200,7 @@ def write_one(lowered: Lowered) -> dict[Path, str]:
         },
         "vectorised.py": {"kernels": moving},
         "compiled/__init__.py": {},
-        "statics.py": {"functions": (statics_rows := _statics(spec, kernels["statics"]))},
+        "statics.py": {"functions": (statics_rows := _statics(kernels["statics"]))},
         "inverse.c": {"kernels": {**kernels["exported"], **moving}, "constants": command_constants},
         "linear.c": {"kernels": kernels["exported"]},
     }
@@ -225,7 +225,7 @@ def _rows(path: Path, spec: Spec, title: str, functions: Sequence[lanes.RowFunct
     return {path.parent / "compiled" / path.name: _file("rows.py", spec, title=title, functions=functions)}
 
 
-def _statics(spec: LimbMechanism, kernels: Kernels) -> list[lanes.RowFunction]:
+def _statics(kernels: Kernels) -> list[lanes.RowFunction]:
     """Return what weights exert, of a limb and of the platform, and where they are."""
     arguments: dict[str, tuple[str, ...]] = {
         "limb": ("x", "q", "tool", "p", "masses", "fields"),

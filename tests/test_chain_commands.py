@@ -24,6 +24,7 @@ from deltacal_gen.physics.terms import blank
 from deltacal_gen.planning import optimal, planning
 from deltacal_gen.units import DEG
 from deltacal_gen.use.compensation import Compensator
+from tests.planned import log_determinant
 
 LIMITS = {"limits_deg": [[-170, 170], [-30, 60], [50, 130], [-180, 180], [30, 150], [-180, 180]]}
 
@@ -199,7 +200,7 @@ def test_d_optimal_joints_beat_those_drawn() -> None:
     best = optimal.d_optimal(r, "dh", 12, kind="pose")
     drawn = joint_spread(r, 12)
     assert best.steps[0].condition < 50
-    assert optimal.log_determinant(best, best.poses.joints) > optimal.log_determinant(best, drawn) + 5
+    assert log_determinant(best, best.poses.joints) > log_determinant(best, drawn) + 5
     with pytest.raises(UsageError, match="plan at least"):
         optimal.d_optimal(r, "dh", 3)
 

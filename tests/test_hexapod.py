@@ -40,6 +40,7 @@ from deltacal_gen.use.exports import export_c
 from deltacal_gen.use.prediction import predict
 from deltacal_gen.use.spans import channels_of
 from deltacal_gen.use.tables import export_table
+from tests.planned import log_determinant
 
 MACHINE = load_mechanism("hexapod")
 FOLDER = example("hexapod")
@@ -209,9 +210,9 @@ def test_what_is_chosen_is_what_was_looked_at() -> None:
     rows = {tuple(np.round(t, 9)) for t in candidates}
     _, x, _ = MACHINE.inverse(np.hstack([found.poses.targets, found.poses.x[:, 3:]]), r.tool, MACHINE.rows(r))
     assert all(tuple(np.round(t, 9)) in rows for t in x)
-    best = optimal.log_determinant(found, x)
+    best = log_determinant(found, x)
     able = candidates[reach(r, candidates, found.tools)[1] == ""]
-    others = [optimal.log_determinant(found, able[rng.choice(len(able), 20, replace=False)]) for _ in range(10)]
+    others = [log_determinant(found, able[rng.choice(len(able), 20, replace=False)]) for _ in range(10)]
     assert best > max(others) + 1
 
 

@@ -27,6 +27,7 @@ from deltacal_gen.pages.plans import figure
 from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.planning import matrix, optimal, planning, reach, singularities, targets
 from deltacal_gen.units import DEG
+from tests.planned import design, log_determinant, rank_table
 
 B, A = 200.0, 51.0  # mm: radii of base and platform (Bai 2015, Table 1)
 TABLES: dict[str, Any] = {
@@ -79,7 +80,7 @@ def test_design_is_the_matrix_of_the_recording_that_follows(robot: Robot, kind: 
     problem = pose_problem(known, measured, found.names, as_distance=kind == "distance")
     H = identification_matrix(problem, "typical").H
     targets = found.poses.targets[: len(found.poses) // 2]
-    ours = matrix.design(known, targets, found.tools, found.names, kind) * problem.scale
+    ours = design(known, targets, found.tools, found.names, kind) * problem.scale
     np.testing.assert_allclose(ours.T @ ours, H.T @ H, rtol=0, atol=1e-8 * np.linalg.norm(H) ** 2)
     if kind == "distance":
         np.testing.assert_allclose(ours, H, rtol=0, atol=1e-8)
@@ -124,7 +125,7 @@ def test_joint_limits_and_signs_are_the_controllers(robot: Robot) -> None:
         plain * [1, -1, 1],
     )
     with pytest.raises(NoSolutionError, match=r"joint \d would stand at -[\d.]+ deg, its limit is -66"):
-        matrix.design(turned, np.array([[0.0, 500.0, -978.0], [0.0, 0.0, -853.0]]), turned.tool, ("theta_1",))
+        design(turned, np.array([[0.0, 500.0, -978.0], [0.0, 0.0, -853.0]]), turned.tool, ("theta_1",))
     kept = optimal.d_optimal(turned, "3", 4).poses.joints
     assert np.all(kept >= -66 * DEG - 1e-12)
     assert np.all(kept <= 95 * DEG)
@@ -142,7 +143,7 @@ def test_joint_limits_and_signs_are_the_controllers(robot: Robot) -> None:
     ],
 )
 def test_ranks_of_all_models(robot: Robot, kind: str, ranks: list[tuple[int, ...]]) -> None:
-    table = planning.rank_table(robot, kind)
+    table = rank_table(robot, kind)
     found = {(row.model, row.points): row.rank for row in table}
     models = ("delta/42", "delta/36", "delta/32", "delta/24", "delta/18", "delta/3")
     assert [tuple(found[model, points] for model in models) for points in (1, 2, 3)] == ranks
@@ -153,7 +154,7 @@ def test_ranks_of_all_models(robot: Robot, kind: str, ranks: list[tuple[int, ...
 
 
 def test_what_model_36_cannot_tell_is_eq_19(robot: Robot) -> None:
-    (row,) = (r for r in planning.rank_table(robot) if r.model == "delta/36" and r.points == 3)
+    (row,) = (r for r in rank_table(robot) if r.model == "delta/36" and r.points == 3)
     (tilted,) = (c for c in row.unseen if "beta03_1" in c.terms)
     for limb in (1, 2, 3):
         assert tilted.terms[f"beta03_{limb}"] == pytest.approx(tilted.terms["beta03_1"])
@@ -228,7 +229,7 @@ def test_figures_of_a_step(robot: Robot) -> None:
     found = planning.plan(robot, "18", scaling="typical", n_max=5)
     step = found.steps[-1]
     H = (
-        matrix.design(robot, found.poses.targets, found.tools, found.names)
+        design(robot, found.poses.targets, found.tools, found.names)
         * DELTA.typical[[DELTA.index[name] for name in found.names]]
     )
     s = np.linalg.svd(H, compute_uv=False)
@@ -246,8 +247,8 @@ def test_exchange_finds_the_best_of_all_sets(robot: Robot) -> None:
     rng = np.random.default_rng(3)
     candidates = rng.uniform([-400, -400, -978], [400, 400, -728], (9, 3))
     found = optimal.d_optimal(robot, "3", 5, candidates=candidates, rng=rng)
-    best = max(optimal.log_determinant(found, candidates[list(c)]) for c in itertools.combinations(range(9), 5))
-    assert optimal.log_determinant(found, found.poses.targets) == pytest.approx(best, abs=1e-9)
+    best = max(log_determinant(found, candidates[list(c)]) for c in itertools.combinations(range(9), 5))
+    assert log_determinant(found, found.poses.targets) == pytest.approx(best, abs=1e-9)
 
 
 def test_d_optimal_set_is_reproducible(robot: Robot) -> None:
@@ -260,7 +261,7 @@ def test_d_optimal_set_beats_the_rings(robot: Robot, model: str, n: int) -> None
     count = 2 * n + 1
     best = optimal.d_optimal(robot, model, count, sigma_mm=0.005)
     ring = planning.plan(robot, model, n_max=n, threshold=0.0, sigma_mm=0.005)
-    ours, theirs = (optimal.log_determinant(p, p.poses.targets[:count]) for p in (best, ring))
+    ours, theirs = (log_determinant(p, p.poses.targets[:count]) for p in (best, ring))
     assert ours > theirs + 2
     assert best.prediction is not None
     assert ring.prediction is not None
@@ -287,7 +288,7 @@ def test_predicted_deviation_is_that_of_noisy_positions(robot: Robot) -> None:
     n = (P[j] - P[i]) / np.linalg.norm(P[j] - P[i], axis=1)[:, None]
     noise = sigma * np.random.default_rng(5).standard_normal((4000, *P.shape))
     read = np.einsum("kc,skc->sk", n, noise[:, j] - noise[:, i])
-    fitted = read @ np.linalg.pinv(matrix.design(robot, P, found.tools, found.names)).T
+    fitted = read @ np.linalg.pinv(design(robot, P, found.tools, found.names)).T
     np.testing.assert_allclose(list(found.prediction.parameters.values()), fitted.std(axis=0), rtol=0.06)
 
 
@@ -364,7 +365,7 @@ def test_calls_that_make_no_sense(robot: Robot) -> None:
     with pytest.raises(NoSolutionError, match="out of reach"):
         planning.plan(wide, "18")
     with pytest.raises(NoSolutionError, match="of 60 points spread over its workspace"):
-        planning.rank_table(robot_from_dict(TABLES | {"workspace": {"top": 1500.0, "radius": 500.0, "height": 250.0}}))
+        rank_table(robot_from_dict(TABLES | {"workspace": {"top": 1500.0, "radius": 500.0, "height": 250.0}}))
 
 
 # ---------------------------------------------------------------------------------------------------- singularities
@@ -380,7 +381,7 @@ def test_a_workspace_out_of_place_is_answered_with_the_place_of_the_machine() ->
     low = dataclasses.replace(hexapod, workspace=dataclasses.replace(hexapod.workspace, top=230.0))
     said = r"reaches 0 of 60 .* joint \d would stand at -.* mm, its limit is 0\. In the middle .* at \(0, 0, 321\) mm"
     with pytest.raises(NoSolutionError, match=said):
-        planning.rank_table(low, "42")
+        rank_table(low, "42")
 
 
 def test_the_nearest_singularity_of_a_diamond_is_a_stretched_limb() -> None:

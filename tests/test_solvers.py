@@ -138,33 +138,6 @@ def test_no_reading_moves_nothing(solver: Solver) -> None:
     assert np.isfinite(got.covariance).all()
 
 
-@pytest.mark.parametrize("solver", [LeastSquares(), Ridge(0.3), Prior()], ids=lambda s: type(s).__name__)
-def test_a_damped_step_minimises_what_it_says(
-    problem: tuple[str, np.ndarray, np.ndarray], solver: LeastSquares | Ridge | Prior
-) -> None:
-    kind, A, b = problem
-    if kind == "zero" and isinstance(solver, Ridge):
-        pytest.skip("no direction is kept")
-    weight, damping = solver.weight or 0.0, 0.7
-    solution = solver.solve(A, b)
-    u = solution.V @ np.random.default_rng(5).standard_normal(solution.V.shape[1])  # where data reach
-    keep = solution.V[:, solution.factors > 0]
-    whole = A.T @ A + (weight + damping) * np.eye(A.shape[1])
-    down = A.T @ (b - A @ u) - weight * u
-    # the step lives in the directions kept: there it solves the damped normal equations
-    got = solution.damped(u, weight, damping)
-    assert keep.T @ (whole @ got - down) == pytest.approx(np.zeros(keep.shape[1]), abs=1e-10)
-    assert got == pytest.approx(keep @ (keep.T @ got), abs=1e-12)
-
-
-def test_an_undamped_step_arrives_at_the_solution() -> None:
-    A, b = matrix("full rank"), np.arange(M, dtype=float)
-    for solver in (LeastSquares(), Ridge(0.3), Prior()):
-        solution = solver.solve(A, b)
-        u = np.linspace(-1, 1, N)
-        assert u + solution.damped(u, solver.weight or 0.0, 0.0) == pytest.approx(solution.u, abs=1e-9)
-
-
 def test_an_unknown_truncation_is_refused() -> None:
     with pytest.raises(UsageError, match="truncation 'l-curve' is not known; give a number, 'discrepancy' or 'gcv'"):
         TSVD("l-curve")

@@ -55,16 +55,6 @@ class Solution:
     rule: str
     posterior: bool = False
 
-    def damped(self, u: Array, weight: float, damping: float) -> Array:
-        """Return the step from `u` towards the solution, every direction damped (Levenberg, Marquardt).
-
-        It minimises ``|A (u + step) - b|^2 + weight |u + step|^2 + damping |step|^2`` on the directions kept.
-        """
-        v, s = self.V.T @ u, self.singular_values
-        down = np.where(self.factors > 0, s * (self.c - s * v) - weight * v, 0.0)
-        step: Array = self.V @ (down / np.where(self.factors > 0, s**2 + weight + damping, 1.0))
-        return step
-
     @property
     def degrees(self) -> float:
         """Effective number of parameters that the data determine."""

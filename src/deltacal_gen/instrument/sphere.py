@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Array
     from deltacal_gen.machine.values import Camera
 
-BALL, DISTORTION = slice(9, 12), 16  # places in the state of a kernel
+BALL = slice(9, 12)  # place in the state of a kernel
 _STEPS = 20
 _SETTLED = 1e-12  # of the distance: a step below is rounding
 

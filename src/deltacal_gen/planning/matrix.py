@@ -20,7 +20,7 @@ from deltacal_gen.identification.identifiability import (
     observability,
 )
 from deltacal_gen.instrument.kind import TURN_MM, Instrument, Kind, Readings
-from deltacal_gen.instrument.kinds import MOUNTED, PAIRS, POINTS, kind_of
+from deltacal_gen.instrument.kinds import MOUNTED, POINTS, kind_of
 from deltacal_gen.instrument.kinds import names as kind_names
 from deltacal_gen.machine.registry import Array, Machine, mechanism_of
 from deltacal_gen.machine.rotation import about_z
@@ -313,34 +313,6 @@ def read_mount(sidecar: str | Path) -> Mount:
             file=sidecar,
         )
     return Mount(np.array(base), np.array(platform))
-
-
-def design(robot: Robot, targets: Array, tools: Array, names: Sequence[str], kind: str = PAIRS) -> Array:
-    """Return the identification matrix of an imagined recording, per mm and rad.
-
-    Parameters
-    ----------
-    targets : (M, 3) array
-        Of the first reference point, in {O} [mm].
-    tools : (T, 3) array
-        Reference points in {O'} [mm].
-    names : sequence of str
-        Parameters, one column each.
-    kind : str
-        ``distance``: rows ``n^T (C_j - C_i)``, all pairs of each reference point (Bai 2015, eq. 14);
-        ``position``: three rows per position, one unknown frame projected out.
-
-    Returns
-    -------
-    H : (rows, n) array
-        [mm / mm or mm / rad]
-
-    Raises
-    ------
-    NoSolutionError
-        A target cannot be reached; the message names it.
-    """
-    return matrix_of(robot, reached_of(robot, targets, tools), names, kind_of(kind))
 
 
 def generic(robot: Robot, tools: Array, kind: Kind | None = None) -> Poses:

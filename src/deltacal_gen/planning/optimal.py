@@ -36,7 +36,6 @@ from deltacal_gen.planning.matrix import (
     matrix_of,
     read_of,
     sensitivity,
-    without,
 )
 from deltacal_gen.planning.reach import Poses, reach, reached_of, readable, tools_of
 from deltacal_gen.planning.targets import CANDIDATES, candidates_of, reference_points, rings
@@ -133,14 +132,6 @@ def d_optimal(
     )
 
 
-def log_determinant(task: Task, targets: Array) -> float:
-    """Return what `d_optimal` maximises, in ordinary errors and for noise of 1 mm; -inf where the rank is short."""
-    poses = reached_of(task.robot, targets, task.tools)
-    J, F, _ = _with_frame(task, poses)
-    figures = observability(without(J.reshape(-1, J.shape[2]), F.reshape(-1, F.shape[2])), len(poses))
-    return float(2 * np.log(figures.singular_values).sum()) if figures.rank == len(task.names) else -math.inf
-
-
 def predict(task: Task, poses: Poses, sigma_mm: float) -> Prediction | None:
     """Return the standard deviations to expect from a set of poses, None where its rank is short.
 
@@ -235,7 +226,7 @@ def _kept(
     return set(base_parameters(H, names, typical)[0])
 
 
-def _with_frame(task: Task, poses: Poses) -> tuple[Array, Array, Array]:
+def with_frame(task: Task, poses: Poses) -> tuple[Array, Array, Array]:
     """Return derivatives of the readings by parameters and frames, (R, k, n) and (R, k, n_m), comparable in size.
 
     And the pose (R,) of each reading: what stands out of sight has none, an image has several.
@@ -257,7 +248,7 @@ def bases(task: Task, poses: Poses) -> tuple[Array, Array]:
     In blocks (M, k T, rank), one per candidate: determinants in these bases differ from those in parameters by
     a constant, and are well scaled.
     """
-    J, F, at = _with_frame(task, poses)
+    J, F, at = with_frame(task, poses)
     order = np.arange(len(at)) - np.searchsorted(at, at)  # of a reading among those of its pose
     k, most = J.shape[1], int(order.max()) + 1
 

@@ -18,7 +18,6 @@ from __future__ import annotations
 import dataclasses
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -27,12 +26,7 @@ from deltacal_gen.errors import UsageError
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.files.writing import write_recording
 from deltacal_gen.identification.accuracy import workspace_of
-from deltacal_gen.identification.identifiability import (
-    Combination,
-    observability,
-    unseen,
-)
-from deltacal_gen.instrument.kinds import PAIRS, kind_of
+from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.machine.values import Measurement, Recording
 from deltacal_gen.planning import singularities
@@ -43,36 +37,11 @@ from deltacal_gen.planning.matrix import (
     Step,
     Task,
     at_poses,
-    generic,
-    matrix_of,
     rule,
 )
 from deltacal_gen.planning.optimal import bases, exchange, fewest_of, log_det_with, predict, task_of
 from deltacal_gen.planning.reach import Poses, fitting, reach, reached_of, readable
-from deltacal_gen.planning.targets import FINE, OFFSETS, ROUGH, candidates_of, edges, parts_of, reference_points, rings
-
-
-@dataclass(frozen=True)
-class RankRow:
-    """What poses without any symmetry can see of a model.
-
-    Attributes
-    ----------
-    points : int
-        Number of reference points.
-    smallest, noise : float
-        Smallest singular value that counts and largest one that does not, by the largest, columns in ordinary
-        errors; 0 where there is none.
-    unseen : list of Combination
-    """
-
-    model: str
-    points: int
-    columns: int
-    rank: int
-    smallest: float
-    noise: float
-    unseen: list[Combination]
+from deltacal_gen.planning.targets import FINE, ROUGH, candidates_of, edges, parts_of, rings
 
 
 def plan(
@@ -222,39 +191,6 @@ def _chain_plan(task: Task, threshold: float, n_max: int, sigma_mm: float | None
         poses=poses,
         prediction=None if sigma_mm is None else predict(task, poses, sigma_mm),
     )
-
-
-def rank_table(robot: Robot, kind: str = PAIRS) -> list[RankRow]:
-    """Return the rank of every model of the mechanism for one, two and three reference points.
-
-    Poses have no symmetry and fill the workspace, so that a combination which stays unseen is so at all poses.
-    """
-    mechanism = mechanism_of(robot)
-    every = [p.name for p in mechanism.parameters]
-    rows = []
-    for points in range(1, len(OFFSETS) + 1):
-        tools = reference_points(robot, points)
-        poses = generic(robot, tools)
-        # singular values and null space in few rows
-        whole = np.linalg.qr(matrix_of(robot, poses, every, kind_of(kind)))[1]
-        for model, names in mechanism.models.items():
-            columns = [mechanism.index[name] for name in names]
-            H, typical = whole[:, columns], mechanism.typical[columns]
-            figures = observability(H * typical, len(poses))
-            s = figures.singular_values / figures.singular_values[0]
-            units = [mechanism.parameters[j].unit for j in columns]
-            rows.append(
-                RankRow(
-                    model=model,
-                    points=points,
-                    columns=len(names),
-                    rank=figures.rank,
-                    smallest=float(s[figures.rank - 1]),
-                    noise=float(s[figures.rank]) if figures.rank < len(s) else 0.0,
-                    unseen=unseen(H, names, units, typical),
-                )
-            )
-    return rows
 
 
 def target_recording(found: Plan, path: str | Path = "poses.csv") -> Recording:
