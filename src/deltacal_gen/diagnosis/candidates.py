@@ -269,7 +269,11 @@ def in_time(rows: Sequence[Row], recording: Recording) -> list[Row]:
         return list(rows)
     times = recording.channels[TIME]
     seen = np.unique(times[np.isfinite(times)])
-    gap, last = gap_of(seen), float(seen[-1])
+    return one_by_one(rows, float(seen[-1]), gap_of(seen))
+
+
+def one_by_one(rows: Sequence[Row], last: float, gap: float) -> list[Row]:
+    """Return rows in the order of their times, each `gap` [s] or more after the one before: after `last` the first."""
     out: list[Row] = []
     for row in sorted(rows, key=lambda row: float(row[TIME])):
         last = max(float(row[TIME]), round(last + gap, 1))

@@ -15,7 +15,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from deltacal_gen.diagnosis.charges import SMALLEST, UNSEEN, charge, places
+from deltacal_gen.diagnosis.charges import charge, directions, places
 from deltacal_gen.diagnosis.search import Search
 from deltacal_gen.identification.rounding import TOLD, moved_by_steps
 from deltacal_gen.machine.registry import Array
@@ -139,11 +139,7 @@ def _parts(term: Term) -> Sequence[Term]:
 
 def _most(G: Array, b: Array) -> Array:
     """Return the largest gain (draws,) of forms with normal equations G (M, n, n) and b (M, n, draws)."""
-    seen = np.diagonal(G, axis1=1, axis2=2) > UNSEEN
-    values, vectors = np.linalg.eigh(np.where(seen[:, :, None] & seen[:, None, :], G, 0.0))
+    seen, vectors, sizes = directions(G)
     along = np.swapaxes(vectors, 1, 2) @ np.where(seen[..., None], b, 0.0)
-    keep = values > SMALLEST * np.maximum(values[:, -1:], UNSEEN)
-    part = np.where(keep, 1.0 / np.where(keep, values, 1.0), 0.0)
-    gains: Array = np.einsum("mid,mi->md", along**2, part)
-    most: Array = gains.max(axis=0)
+    most: Array = np.einsum("mid,mi->md", along**2, 1.0 / sizes).max(axis=0)
     return most

@@ -30,15 +30,23 @@ def gains(G: Array, b: Array) -> Array:
 
     Columns had unit length before the projection.
     """
-    seen = np.diagonal(G, axis1=1, axis2=2) > UNSEEN
     if G.shape[1] == 1:
+        seen = G[:, 0] > UNSEEN
         return np.where(seen, b**2 / np.where(seen, G[:, 0], 1.0), 0.0)[:, 0]
-    both = seen[:, :, None] & seen[:, None, :]
-    values, vectors = np.linalg.eigh(np.where(both, G, 0.0))
+    seen, vectors, sizes = directions(G)
     along = np.einsum("mij,mi->mj", vectors, np.where(seen, b, 0.0))
+    return np.asarray(np.sum(along**2 / sizes, axis=1))
+
+
+def directions(G: Array) -> tuple[np.ndarray, Array, Array]:
+    """Return which columns of M normal equations (M, k, k) are seen, their directions, and the size of each (M, k).
+
+    Infinite is the size of one that is no more than rounding: divided by it nothing is left.
+    """
+    seen = np.diagonal(G, axis1=1, axis2=2) > UNSEEN
+    values, vectors = np.linalg.eigh(np.where(seen[:, :, None] & seen[:, None, :], G, 0.0))
     keep = values > SMALLEST * np.maximum(values[:, -1:], UNSEEN)
-    found: Array = np.sum(np.where(keep, along**2 / np.where(keep, values, 1.0), 0.0), axis=1)
-    return found
+    return seen, vectors, np.where(keep, values, np.inf)
 
 
 def charge(term: Term, forms: int, together: int = 1) -> float:

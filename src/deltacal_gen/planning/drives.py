@@ -197,16 +197,7 @@ class DriveStudy:
         found = diagnose(self.robot, simulated(self.robot, self.given, told, np.array(self.sigma), rng), _silent)
         named = _merged((e.name, e.limbs) for e in found.effects)
         wanted = _merged((e.name, e.limbs) for e in effects_of(truth))
-        alike = {name for e in found.effects for name in e.indistinguishable_from}
-        return Trial(
-            right=named == wanted,
-            among=bool(wanted) and {n for n, _ in wanted} <= {n for n, _ in named} | alike,
-            named=[(name, list(limbs)) for name, limbs in named],
-            verdict=found.verdict,
-            before_mm=None,
-            after_mm=None,
-            next=[n.text for n in found.next_measurements],
-        )
+        return Trial.of(found, named, wanted)
 
     @cached_property
     def _stated(self) -> dict[int, Array]:

@@ -7,6 +7,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from deltacal_gen.diagnosis.candidates import one_by_one
 from deltacal_gen.diagnosis.discrimination import CLEAR
 from deltacal_gen.results.diagnosis import Diagnosis, NextMeasurement, Row
 from deltacal_gen.states import TIME
@@ -101,12 +102,7 @@ def _in_time(rows: list[Row]) -> list[Row]:
     if not times:
         return rows
     gap = min((b - a for a, b in itertools.pairwise(times)), default=LATER)
-    out: list[Row] = []
-    last = times[0] - gap
-    for row in sorted(rows, key=lambda row: float(row.get(TIME, times[-1]))):
-        last = max(float(row.get(TIME, times[-1])), round(last + gap, 1))
-        out.append(row | {TIME: last})
-    return out
+    return one_by_one([row | {TIME: row.get(TIME, times[-1])} for row in rows], times[0] - gap, gap)
 
 
 def _number(row: Row) -> int:
