@@ -68,12 +68,12 @@ class Several(Kind):
         return ()
 
     @property
-    def probed(self) -> bool:  # type: ignore[override]
+    def probed(self) -> bool:  # type: ignore[override]  # of one kind it is the class's
         """Whether some of the readings are a firmware's."""
         return any(kind.probed for kind in self.kinds)
 
     @property
-    def distances_beside(self) -> bool:  # type: ignore[override]
+    def distances_beside(self) -> bool:  # type: ignore[override]  # as above
         """Whether some of the readings leave open what distances would tell."""
         return any(kind.distances_beside for kind in self.kinds)
 

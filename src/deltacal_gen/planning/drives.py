@@ -119,7 +119,7 @@ class DriveStudy:
 
     def prepare(self) -> None:
         """Work out what all machines share."""
-        self.check, self.noise  # noqa: B018
+        self.check, self.noise  # noqa: B018  # each is worked out where it is first asked for
 
     def fingerprint(self) -> str:
         """Return a hash of all that the study's results depend on."""

@@ -66,7 +66,7 @@ class Study:
 
     def prepare(self) -> None:
         """Work out what all machines share."""
-        self.problem if self.sees_joints else self.check  # noqa: B018
+        self.problem if self.sees_joints else self.check  # noqa: B018  # each is worked out where it is first asked for
 
     def machines(self, index: int, count: int) -> Machines:
         """Simulate and calibrate machines; see `machines`."""

@@ -15,7 +15,6 @@ from deltacal_gen.machine.registry import SOLVED, STATUS, Array, mechanism_of
 from deltacal_gen.machine.rotation import from_vector, to_vector
 from deltacal_gen.units import file_unit, to_file, to_internal
 
-BEYOND = "beyond the limits of the joints"
 ASTRAY = "singular: the joints that stand for it do not lead back to it"
 READABLE = {"mm": 3, "rad": 4}  # digits of targets and joints that are written, in the units of files
 INWARDS = np.linspace(0.98, 0.3, 35)  # parts of the way from the centre at which a pose beyond limits is tried
@@ -102,7 +101,7 @@ def _beyond(robot: Robot, joints: Array) -> str:
     unit = mechanism_of(robot).joint_units[k]
     limit = low[k] if joints[k] < low[k] else high[k]
     return (
-        f"{BEYOND}: joint {k + 1} would stand at {to_file(joints[k], unit):.4g} "
+        f"beyond the limits of the joints: joint {k + 1} would stand at {to_file(joints[k], unit):.4g} "
         f"{file_unit(unit)}, its limit is {to_file(limit, unit):.4g}"
     )
 
@@ -123,7 +122,8 @@ def fitting(robot: Robot, targets: Array, tools: Array, centre: Array) -> tuple[
     bad = np.flatnonzero(why != "")
     if not len(bad):
         return poses, ()
-    if not all(why[row].startswith(BEYOND) for row in bad):
+    free = dataclasses.replace(robot, joint_limits=None, errors={})
+    if (reach(free, targets[bad], tools)[1] != "").any():
         return reached_of(robot, targets, tools), ()
     placed, still = targets.copy(), bad
     for part in INWARDS:

@@ -132,7 +132,7 @@ class Value:
     def __eq__(self, other: object) -> bool:
         return self.to_dict() == other.to_dict() if isinstance(other, Value) else NotImplemented
 
-    __hash__ = None  # type: ignore[assignment]
+    __hash__ = None  # type: ignore[assignment]  # as Python says that what compares by value has none
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}({', '.join(f'{name}={getattr(self, name)!r}' for name in self._fields)})"
@@ -144,7 +144,7 @@ class Value:
         for name, value in cls._defaults.items():
             if value is None:
                 written = tuple(part for part in get_args(hints[name]) if part is not NoneType)
-                hints[name] = Union[written]  # noqa: UP007
+                hints[name] = Union[written]  # noqa: UP007  # of parts that are known when this runs
         return {name: hints[name] for name in cls._fields}
 
     @classmethod
@@ -238,7 +238,7 @@ class Answer(Value, Mapping[str, Any]):
     def __eq__(self, other: object) -> bool:
         return self.to_dict() == plain(other) if isinstance(other, Mapping) else NotImplemented
 
-    __hash__ = None  # type: ignore[assignment]
+    __hash__ = None  # type: ignore[assignment]  # as Python says that what compares by value has none
 
 
 class _ArrayOf:

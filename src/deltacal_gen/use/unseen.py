@@ -8,11 +8,11 @@ from deltacal_gen.files.robot import robot_of
 from deltacal_gen.identification.accuracy import check_joints
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.registry import Array, mechanism_of
+from deltacal_gen.machine.rotation import swept
 from deltacal_gen.results.result import Result
 from deltacal_gen.units import DEG, to_internal
 from deltacal_gen.use import firmware
 
-WHOLE = "the machine as a whole"
 RIGID = 0.01  # of what a combination moves: the most that is left when it is a motion of the base
 STILL = 1e-3  # of what its parameters would move one by one: less is no motion
 ALONG = 0.995  # cosine between a direction and an axis that is called by its name
@@ -51,10 +51,10 @@ def sentences(found: Result) -> list[str]:
         for name, size in c.terms.items():
             by[mechanism.index[name]] = size * to_internal(mechanism.parameters[mechanism.index[name]].unit)
         shift, alone = moved @ by, np.abs(moved * by).max()
-        sentence = _told(shift, alone, x[:, :3]) if c.seen == "not at all" else ""
+        sentence, whole = _told(shift, alone, x[:, :3]) if c.seen == "not at all" else ("", False)
         if not sentence and on_bed.any():
             sentence = _on_the_bed(shift[on_bed], x[on_bed, :3])
-        told.append(f"{sentence}: {takes}" if sentence.startswith(WHOLE) else sentence)
+        told.append(f"{sentence}: {takes}" if whole else sentence)
     return told
 
 
@@ -80,18 +80,19 @@ def _on_the_bed(shift: Array, points: Array) -> str:
     )
 
 
-def _told(shift: Array, alone: float, points: Array) -> str:
-    """Say what shifts (N, 3) of points (N, 3) are; `alone` is the largest that a parameter makes by itself [mm]."""
+def _told(shift: Array, alone: float, points: Array) -> tuple[str, bool]:
+    """Say what shifts (N, 3) of points (N, 3) are, and whether they are a motion of the machine as a whole.
+
+    `alone` is the largest that a parameter makes by itself [mm].
+    """
     largest = np.abs(shift).max()
     if largest <= STILL * alone:
-        return "the measured point stays where it is, wherever the machine stands"
-    x, y, z = (points - points.mean(axis=0)).T
-    none = np.zeros_like(x)
-    turns = np.stack([np.stack(row, axis=1) for row in ((none, z, -y), (-z, none, x), (y, -x, none))], axis=1)
+        return "the measured point stays where it is, wherever the machine stands", False
+    turns = swept(points - points.mean(axis=0))
     A = np.concatenate([np.tile(np.eye(3), (len(points), 1, 1)), turns], axis=2)
     motion = np.linalg.lstsq(A.reshape(-1, 6), shift.ravel(), rcond=None)[0]
     if np.abs(shift - A @ motion).max() > RIGID * largest:
-        return ""
+        return "", False
     along, about = motion[:3], motion[3:]
     shares = [np.abs(along).max(), np.abs(A[:, :, 3:] @ about).max()]
     parts = []
@@ -99,7 +100,7 @@ def _told(shift: Array, alone: float, points: Array) -> str:
         parts.append(f"turned about {_axis(about)} ({np.linalg.norm(about) / DEG:.2g} deg)")
     if shares[0] > SHARE * largest:
         parts.append(f"shifted along {_axis(along)} ({np.linalg.norm(along):.2g} mm)")
-    return f"{WHOLE} {' and '.join(parts)}"
+    return f"the machine as a whole {' and '.join(parts)}", True
 
 
 def _axis(direction: Array) -> str:
