@@ -218,6 +218,7 @@ REFUSED: dict[str, dict[str, Any]] = {
     "after is decided by a constant 'when'": {"targets": {"joint": SOFT.symbol * AFTER}},
     "searched twice in the same way": {"searched": (Orders(ORDER), Orders(NUMBER))},
     "acts on the limb is not searched by Travels; by Orders, Moments": {"searched": (Travels(ORDER),)},
+    "acts on the limb is not searched by Points": {"searched": (Points(),)},
     "acts on the drive is not searched by Points; by Orders, Sizes, Travels": OF_DRIVE | {"searched": (Points(),)},
     "has one constant that is searched": OF_DRIVE | {"searched": (Orders(ORDER), Travels(NUMBER))},
     "linear in its coefficients": OF_DRIVE | {"targets": {"torque": SOFT.symbol**2 * SPEED}},
@@ -231,7 +232,7 @@ REFUSED: dict[str, dict[str, Any]] = {
 
 
 def test_every_way_of_searching_that_may_be_declared_is_searched() -> None:
-    assert {way.kind for way in IN_POSES} == library.SEARCHES.keys() | {"points"}  # whose effect has no constant
+    assert {way.kind for way in IN_POSES} == library.SEARCHES.keys()
     assert {way.kind for way in IN_MOTION} == motion_library.SEARCHES.keys()
 
 

@@ -120,8 +120,9 @@ class Travels:
 
 
 Searched = Orders | Moments | Points | Joints | Columns | Clocks | Sizes | Travels
-IN_POSES: tuple[type[Searched], ...] = (Orders, Moments, Points, Joints, Columns, Clocks, Sizes)  # by `diagnose`
-IN_MOTION: tuple[type[Searched], ...] = (Orders, Sizes, Travels)  # of drives, in torques along a motion
+IN_POSES: tuple[type[Searched], ...] = (Orders, Moments, Joints, Columns, Clocks, Sizes)  # constants, in readings
+IN_MOTION: tuple[type[Searched], ...] = (Orders, Sizes, Travels)  # constants of drives, in torques along a motion
+SEARCHED = {"drive": IN_MOTION, "point": (*IN_POSES, Points)}  # by what is moved; in all else `IN_POSES`
 
 
 @dataclass(frozen=True)
@@ -295,14 +296,14 @@ class Effect:
 
     def _check_searched(self) -> None:
         """Refuse what nothing searches or fits; a regression on the torque takes one constant, and is linear."""
-        of_drive = self.acts_on == "drive"
+        known = SEARCHED.get(self.acts_on, IN_POSES)
         for s in self.searched:
-            if not isinstance(s, known := IN_MOTION if of_drive else IN_POSES):
+            if not isinstance(s, known):
                 names = ", ".join(way.__name__ for way in known)
                 raise ValueError(f"what acts on the {self.acts_on} is not searched by {type(s).__name__}; by {names}.")
         if len({s.kind for s in self.searched}) < len(self.searched):
             raise ValueError("it is searched twice in the same way.")
-        if not of_drive:
+        if self.acts_on != "drive":
             return
         if len(self.searched) > 1:
             raise ValueError("an effect of a drive has one constant that is searched; hold the other in the formula.")
