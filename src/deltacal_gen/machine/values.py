@@ -122,11 +122,13 @@ class Workspace:
             return self.home, np.array([self.radius, self.radius, half])
         return self.home, np.array([(self.width or 0.0) / 2, half, 0.0])
 
-    def holds(self, positions: np.ndarray[Any, np.dtype[np.float64]]) -> np.ndarray[Any, np.dtype[np.bool_]]:
-        """Tell which positions (N, 3) lie within."""
+    def holds(
+        self, positions: np.ndarray[Any, np.dtype[np.float64]], within: float = 0.0
+    ) -> np.ndarray[Any, np.dtype[np.bool_]]:
+        """Tell which positions (N, 3) lie within, by so much at least [mm]."""
         centre, half = self.box
-        across = np.hypot(*positions[:, :2].T) <= self.radius if self.radius is not None else True
-        inside = np.abs(positions - centre) <= half
+        across = np.hypot(*positions[:, :2].T) <= self.radius - within if self.radius is not None else True
+        inside = np.abs(positions - centre) <= np.where(half > 0, half - within, 0.0)
         if self.top is None:  # of a stroke only x counts
             return np.asarray(inside[:, 0])
         return np.asarray(across & inside.all(axis=1))

@@ -2,14 +2,15 @@
 
 Every joint follows a finite Fourier series, which starts and ends at rest and whose derivatives are exact. A series is
 as large as the limits of position, speed and acceleration let it be, then all joints together as large as the workspace
-does. Of many series the one of the best condition number is taken, and then improved for the determinant of the
-information (D-optimality) as long as the condition number does not grow. Each further run adds to what those before it
-tell, and can be held out.
+does: at every moment, not at samples alone. Of many series the one of the best condition number is taken, and then
+improved for the determinant of the information (D-optimality) as long as the condition number does not grow. Each
+further run adds to what those before it tell, and can be held out.
 
 References
 ----------
 Swevers, J., Ganseman, C., Tukel, D. B., De Schutter, J., Van Brussel, H.: Optimal robot excitation and identification.
 IEEE Transactions on Robotics and Automation 13(5), 1997, 730-740.
+Ehlich, H., Zeller, K.: Schwankung von Polynomen zwischen Gitterpunkten. Mathematische Zeitschrift 86, 1964, 41-44.
 """
 
 from __future__ import annotations
@@ -43,7 +44,8 @@ if TYPE_CHECKING:
 
 STARTS, STEPS = 60, 240  # series that are drawn, and changes that are tried of the best
 CHANGE = 0.5  # of a coefficient, at first; at last a tenth of it
-LOOKED_AT = 25.0  # samples per second by which a trajectory is judged
+LOOKED_AT, PER_WAVE = 25.0, 40  # samples per second, and of the fastest wave at least, by which a series is judged
+BULGES = 0.16  # of second differences: how far a way leaves its chords (1/8, and a quarter more as they are averages)
 TRIED, ASIDE = 4000, 0.25  # joints that are drawn for a beginning; part of their travel that it keeps from the ends
 HALVINGS = 14  # of the size, until all of it lies in the workspace
 
@@ -91,7 +93,9 @@ class Excitation:
     def __init__(self, robot: Robot, period: float, harmonics: int, seed: int) -> None:
         self._robot, self._mechanism, self.rigid = robot, mechanism_of(robot), Rigid(robot)
         self._rng, self._period, self._harmonics = np.random.default_rng(seed), period, harmonics
-        self._time = np.arange(0, period, 1 / LOOKED_AT)
+        count = max(round(period * LOOKED_AT), PER_WAVE * harmonics)
+        self._time = np.arange(count) * period / count
+        self._between = math.cos(math.pi * harmonics / count)  # a series is no larger than at samples by this (Ehlich)
         (self.low, self.high, self.speed, self.acceleration), self.notes = limits_of(robot)
         self._rows = self._mechanism.rows(robot)
         self._centre = self._middle()
@@ -158,9 +162,11 @@ class Excitation:
             sine=series.sine - k * (k * series.sine).sum(axis=0) / (k**2).sum(),
         )
         q, qd, qdd = series.states(self._time)
-        way = np.maximum((q - self._centre).max(axis=0), 1e-12), np.maximum((self._centre - q).max(axis=0), 1e-12)
+        middle, half = (q.max(axis=0) + q.min(axis=0)) / 2 - self._centre, np.ptp(q, axis=0) / 2 / self._between
+        way = np.maximum([middle + half, half - middle], 1e-12)
         room = [(self.high - self._centre) / way[0], (self._centre - self.low) / way[1]]
-        room += [self.speed / np.abs(qd).max(axis=0), self.acceleration / np.abs(qdd).max(axis=0)]
+        most = self._between / np.abs([qd, qdd]).max(axis=1)
+        room += [self.speed * most[0], self.acceleration * most[1]]
         series = series.times(np.min(room, axis=0))
         low, high = 0.0, 1.0
         if self._stays(series):
@@ -175,8 +181,10 @@ class Excitation:
     def _stays(self, series: Series) -> bool:
         """Tell whether the reference point stays in the workspace, and the machine in one piece."""
         x = self._positions(series.states(self._time)[0])
-        space = self._robot.workspace
-        return bool(np.isfinite(x).all() and (space is None or space.holds(x).all()))
+        if (space := self._robot.workspace) is None or not np.isfinite(x).all():
+            return bool(np.isfinite(x).all())
+        bends = np.linalg.norm(np.roll(x, 1, axis=0) - 2 * x + np.roll(x, -1, axis=0), axis=1)
+        return bool(space.holds(x, BULGES * float(bends.max())).all())
 
     def _positions(self, joints: Array) -> Array:
         """Return where the reference point is (N, 3) at joints as the controller counts; NaN where it cannot be."""
