@@ -18,6 +18,7 @@ from deltacal_gen.files.robot import read_robot
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.motion import fit as fits_of_joints
 from deltacal_gen.motion import identification, joint, regression, unexplained
+from deltacal_gen.motion.diagnosis import _for_all_that
 from deltacal_gen.motion.fit import Fit, climbed, fitted
 from deltacal_gen.motion.ladder import Ladder
 from deltacal_gen.motion.library import Rung
@@ -179,6 +180,17 @@ def test_what_folds_choose_and_do_not_foretell_is_not_told(session: Session, mon
     assert found.rungs == ()
     np.testing.assert_array_equal(found.held_out, plain.held_out)
     assert {each.effect for each in found.passed_over} >= {"coulomb_friction", "viscous_friction"}
+
+
+def test_what_buys_by_a_wrong_sign_is_said_to(session: Session) -> None:
+    """It takes away what a rung must, earns its price, and is not named: without a reason that reads as a mistake."""
+    turned = dataclasses.replace(session.joints[0])
+    vars(turned)["sense"] = -1.0  # friction that brakes is what no drive has then
+    found = climbed(turned)
+    dry = next(each for each in found.passed_over if each.effect == "coulomb_friction")
+    assert dry.impossible
+    much = dataclasses.replace(dry, buys=0.03, gain=75.0)
+    assert _for_all_that(found, much) == ", but by a coefficient of the wrong sign, which no drive has"
 
 
 def fit_of(session: Session) -> Fit:

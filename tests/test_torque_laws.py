@@ -14,6 +14,8 @@ import sympy as sp
 import deltacal_gen as dc
 from deltacal_gen.diagnosis.laws.effect_file import effect_file
 from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.physics.formula import written as written_unit
+from deltacal_gen.physics.law import load_law
 from derive.mathematics.effects import effect as derived
 from tests.motion_recordings import DEG, NOISE, named, written
 
@@ -115,19 +117,32 @@ def test_it_is_written_as_the_file_of_an_effect_that_says_the_same(found: tuple[
     assert derived(effect)  # its functions are there to be emitted
 
 
-def test_currents_have_laws_in_their_unit(tmp_path: Path) -> None:
-    path = written(tmp_path, on_third(CURVES["a stop"][0]), seed=3)
+@pytest.mark.parametrize(
+    ("said", "units", "size"), [(False, ("A/rad", "rad"), -30.0 / 4.0), (True, ("N mm/rad", "rad"), -30e3)]
+)
+def test_currents_have_laws_in_their_unit(said: bool, units: tuple[str, str], size: float, tmp_path: Path) -> None:
+    """And in that of torques where what a drive gives per ampere is known."""
+    path, robot = written(tmp_path, on_third(CURVES["a stop"][0]), seed=3), tmp_path / "robot.toml"
     lines = [line.split(",") for line in path.read_text().splitlines()]
     table = np.array(lines[1:], dtype=float)
     table[:, 5:] /= 4.0
     head = ",".join([*lines[0][:5], *(f"current{i}_A" for i in (1, 2, 3))])
     path.write_text("\n".join([head, *(",".join(map(repr, row)) for row in table.tolist())]) + "\n")
-    diagnosis = dc.diagnose(tmp_path / "robot.toml", path)
+    if said:
+        robot.write_text(robot.read_text() + "\n[transmission]\ntorque_constant_Nm_A = [4.0, 4.0, 4.0]\n")
+    diagnosis = dc.diagnose(robot, path)
     (term,) = diagnosis["laws"][0]["terms"]
     first, second = term["coefficients"]
-    assert (first["unit"], second["unit"]) == ("A/rad", "rad")
-    assert first["value"] == pytest.approx(-30.0 / 4.0, rel=0.01)
+    assert (first["unit"], second["unit"]) == units
+    assert first["value"] == pytest.approx(size, rel=0.01)
     assert diagnosis["laws"][0]["heldout_rms_A"] == pytest.approx(NOISE / 4.0, rel=0.05)
+
+
+def test_a_load_that_is_read_as_a_current_counts_in_amperes() -> None:
+    law = load_law("law torque = c1*qd*exp(-torque/c2)")
+    as_current, as_torque = (law.units("rad", read) for read in ("A", "N mm"))
+    assert [written_unit(as_current[c]) for c in ("c1", "c2")] == ["s A/rad", "A"]
+    assert [written_unit(as_torque[c]) for c in ("c1", "c2")] == ["s N mm/rad", "N mm"]
 
 
 def test_friction_that_the_load_changes_is_not_left_to_the_nearest_effect(tmp_path: Path) -> None:

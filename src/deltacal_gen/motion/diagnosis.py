@@ -266,6 +266,8 @@ def _for_all_that(fit: Fit, looked: LookedAt) -> str:
         return ""
     if looked.gain <= looked.price:
         return f": it earns {looked.gain:.3g} of chi2, and its search costs {looked.price:.3g}"
+    if looked.impossible:
+        return ", but by a coefficient of the wrong sign, which no drive has"
     if not fit.rungs:
         return ": but what some stretches would choose does not foretell the others; a longer recording may tell"
     return ""

@@ -41,6 +41,8 @@ class LookedAt:
         Candidates among which it was looked for.
     buys : float
         Part of the held-out rms that it takes away beside the rungs chosen.
+    impossible : bool
+        Whether it has a coefficient there whose sign no drive has.
     """
 
     effect: str
@@ -48,6 +50,7 @@ class LookedAt:
     width: int
     tried: int
     buys: float = 0.0
+    impossible: bool = False
 
     @property
     def price(self) -> float:
@@ -184,7 +187,8 @@ class Ladder:
         found = []
         for k in self._best_of_each(chosen, folds):
             own = self.rungs[k].effect, self.gain([*chosen, k], k, folds), len(self.at[k]), len(self.rungs)
-            found.append(LookedAt(*own, self.buys([*chosen, k], k, folds)))
+            driven = k in self.impossible([*chosen, k], folds)
+            found.append(LookedAt(*own, self.buys([*chosen, k], k, folds), driven))
         return tuple(found)
 
     def nearly(self, chosen: Sequence[int], folds: Sequence[int]) -> list[int]:

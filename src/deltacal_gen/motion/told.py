@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from deltacal_gen.motion.joint import Joint
 from deltacal_gen.motion.laws import Lawful
 from deltacal_gen.motion.library import LOAD
 from deltacal_gen.motion.session import Session
@@ -20,7 +21,6 @@ if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Array
 
 POINTS, DOTS = 121, 800  # of a curve, and of the samples beside it
-INSIDE = {"Nm": "N mm"}  # unit in which a law is, of readings in another one
 
 
 def told(session: Session, found: Mapping[int, Lawful]) -> tuple[TorqueLaw, ...]:
@@ -62,7 +62,7 @@ def _terms(session: Session, law: Lawful) -> list[LawTerm]:
     for rung, form, std in zip(law.rungs, law.forms, law.std, strict=True):
         module = load_law(rung.effect)
         linear = module.formula.linear
-        units = module.units(_joint_unit(session, joint.number), INSIDE.get(joint.unit, joint.unit))
+        units = module.units(_joint_unit(session, joint.number), _inside(joint))
         first = len(form.functions) + 1
         names = [*linear, *(f"c{first + k}" for k in range(len(form.constants)))]
         values = [*law.fit.coefficients[at : at + rung.width], *form.constants]
@@ -91,6 +91,11 @@ def _joint_unit(session: Session, joint: int) -> str:
     return session.rigid.dynamics.joint_units[joint - 1]
 
 
+def _inside(joint: Joint) -> str:
+    """Return the unit in which a joint's law is: that of its readings, or of what they are known to be."""
+    return {"Nm": "N mm"}.get(joint.readout.told, joint.readout.told)
+
+
 def _curve(session: Session, law: Lawful) -> LawCurve:
     """Return the law of a joint along its first state, others at their median, and what samples say of it there."""
     fit, joint = law.fit, law.fit.joint
@@ -117,8 +122,8 @@ def _curve(session: Session, law: Lawful) -> LawCurve:
     by = along(grid)
     return LawCurve(
         state=first,
-        unit=written(unit(inside(named(first), _joint_unit(session, joint.number)))),
-        target_unit=INSIDE.get(joint.unit, joint.unit),
+        unit=written(unit(inside(named(first), _joint_unit(session, joint.number), _inside(joint)))),
+        target_unit=_inside(joint),
         at=grid[first],
         value=by @ fit.coefficients[at],
         std=np.sqrt((by**2) @ np.square(fit.std[at])),

@@ -98,9 +98,10 @@ class Law:
     def units(self, joint_unit: str, read: str = "") -> dict[str, Unit]:
         """Return the unit inside of every constant, where joints are in `joint_unit` (rad or mm).
 
-        `read` is that of the target, where it is not what the target itself has: a torque that is read as a current.
+        `read` is that of the target, and of a torque that is a state, where it is not what these themselves have: a
+        torque that is read as a current.
         """
-        known = {s: unit(inside(states.named(s), joint_unit)) for s in self.STATE}
+        known = {s: unit(inside(states.named(s), joint_unit, read)) for s in self.STATE}
         target = self.TARGETS[0]
         of = {"joint": joint_unit, "torque": "N" if joint_unit == "mm" else "N mm"}.get(target)
         return self.formula.units(known, unit(read or of or ("rad" if target.startswith("turn.") else "mm")))
@@ -216,12 +217,17 @@ def is_constant(name: str) -> bool:
     return name[:1] == "c" and name[1:].isdecimal()
 
 
-def inside(state: State, joint_unit: str) -> str:
-    """Return the unit inside of a state; of a joint in `joint_unit`. What a covariate counts is its own unit."""
+def inside(state: State, joint_unit: str, read: str = "") -> str:
+    """Return the unit inside of a state; of a joint in `joint_unit`. What a covariate counts is its own unit.
+
+    `read` is that of its torque, where this is read as something else.
+    """
     if state.unit == "as recorded":
         return state.name
     own = state.unit.replace("deg", joint_unit) if state.unit != "degC" else state.unit
-    return own.replace("N mm", "N") if joint_unit == "mm" and state.per == "joint" else own
+    if state.per != "joint" or "N mm" not in own:
+        return own
+    return own.replace("N mm", read or ("N" if joint_unit == "mm" else "N mm"))
 
 
 def is_law(effect: str) -> bool:
