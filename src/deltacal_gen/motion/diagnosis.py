@@ -17,6 +17,7 @@ from deltacal_gen.motion.identification import RIGID, bodies_told
 from deltacal_gen.motion.ladder import BUYS, LookedAt
 from deltacal_gen.motion.lag import LATENCY
 from deltacal_gen.motion.laws import Lawful, lawful
+from deltacal_gen.motion.mistakes import check, too_heavy
 from deltacal_gen.motion.payload import NAMES, PAYLOAD, PayloadError
 from deltacal_gen.motion.session import Session, still_to_move, untold
 from deltacal_gen.motion.told import told
@@ -61,10 +62,11 @@ def diagnose(robot: Robot, given: Trajectories, progress: Progress) -> MotionDia
     Raises
     ------
     InputError
-        No joint moves for long enough.
+        No joint moves for long enough; columns of drives are exchanged, or count in another unit than they say.
     """
     progress("derivatives")
     session = Session.of(robot, given)
+    check(session)
     plain = [fitted(joint, []) for joint in session.moving]
     whole = searched(session, progress)
     free, session, found = session, whole.session, whole.fits
@@ -393,6 +395,7 @@ def _summary(
         parts.append(f"Joint {still} moves too little to say anything.")
     if silent:
         parts.append(f"The reading of joint {silent} never changes: of what its drive gives nothing can be said.")
+    parts += [f"But {doubt}." for doubt in too_heavy(session, fits)]
     return " ".join(p for p in parts if p)
 
 

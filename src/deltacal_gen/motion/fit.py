@@ -22,6 +22,7 @@ TRIED = 5  # sizes that are tried around the one found, before it is fitted
 REFINED = (1.6, 1.12)  # factors either way: half of what lies between two sizes that are searched, then between these
 ALIKE = 10.0  # of chi2: effects whose fits differ by less are not told apart
 SETTLES = 2  # fits after which a load no longer changes by what readings tell
+MADE_UP = 1e-9  # of the largest singular value: effects that others make up are none
 SMOOTH = 12  # hats of a smooth function of position, which waves must beat
 
 
@@ -103,6 +104,13 @@ class Fit:
             total += columns @ self.coefficients[at : at + rung.width]
             at += rung.width
         return total
+
+    def beside_effects(self, X: Array) -> Array:
+        """Return columns (M, r) without what the effects do as well: what may be either's tells of neither."""
+        if not self.rungs:
+            return X
+        F = self.joint.columns(self.rungs, self.load)[:, self.joint.X.shape[1] :]
+        return np.asarray(X - F @ np.linalg.lstsq(F, X, rcond=MADE_UP)[0])
 
     @property
     def sigma(self) -> float:

@@ -14,6 +14,7 @@ from deltacal_gen.motion.fit import Fit, fitted
 from deltacal_gen.motion.joint import USUAL
 from deltacal_gen.motion.ladder import BUYS
 from deltacal_gen.motion.library import Rung
+from deltacal_gen.motion.mistakes import check, too_heavy
 from deltacal_gen.motion.rigid import Rigid
 from deltacal_gen.motion.session import Session, still_to_move
 from deltacal_gen.motion.traces import traces
@@ -39,10 +40,11 @@ def identify(robot: Robot, given: Trajectories, model: str | None = None) -> Mot
     UsageError
         Another model is asked for.
     InputError
-        No joint moves for long enough.
+        No joint moves for long enough; columns of drives are exchanged, or count in another unit than they say.
     """
     name = rigid_model(robot, model)
     session = Session.of(robot, given)
+    check(session)
     fits = [fitted(joint, []) for joint in session.moving]
     final, noise = session.left(fits, name), session.noise(fits)
     figures = {key: value for key, value in final.written() if key.startswith(("train_rms_", "heldout_rms_"))}
@@ -61,7 +63,7 @@ def identify(robot: Robot, given: Trajectories, model: str | None = None) -> Mot
         sigma_source=noise.source,
         chi2_per_dof=final.chi2_per_dof,
         friction=_of_friction(session, fits),
-        doubts=tuple(_doubts(fits)) or None,
+        doubts=(*_doubts(fits), *too_heavy(session, fits)) or None,
     )
 
 
@@ -154,7 +156,7 @@ def _singular(rigid: Rigid, fits: Sequence[Fit]) -> Array:
 
 def _singular_of(fit: Fit) -> Array:
     """Return the singular values of one joint's columns, each of size 1."""
-    X = _beside_effects(fit, fit.joint.X)
+    X = fit.beside_effects(fit.joint.X)
     size = np.linalg.norm(X, axis=0)
     return np.asarray(np.linalg.svd(X / np.where(size > 0, size, 1.0), compute_uv=False))
 
@@ -168,18 +170,10 @@ def _normal(rigid: Rigid, fits: Sequence[Fit]) -> tuple[Array, Array]:
         weight = 1.0 / (fit.sigma**2 * fit.together)
         X = fit.joint.X @ own.made_up[:, rigid.common.chosen]
         y = fit.left + fit.load - fit.joint.carried  # what effects gave is not the rigid machine's
-        X = _beside_effects(fit, X)
+        X = fit.beside_effects(X)
         G += weight * X.T @ X
         g += weight * X.T @ y
     return G, g
-
-
-def _beside_effects(fit: Fit, X: Array) -> Array:
-    """Return columns (M, r) without what a fit's effects do as well: what may be either's tells of neither."""
-    if not fit.rungs:
-        return X
-    F = fit.joint.columns(fit.rungs, fit.load)[:, fit.joint.X.shape[1] :]
-    return np.asarray(X - F @ np.linalg.lstsq(F, X, rcond=RANK)[0])
 
 
 def _common(rigid: Rigid, fits: Sequence[Fit]) -> list[InertialParameter]:
