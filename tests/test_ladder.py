@@ -21,6 +21,7 @@ from deltacal_gen.motion import identification, joint, regression, unexplained
 from deltacal_gen.motion.diagnosis import _for_all_that
 from deltacal_gen.motion.fit import Fit, climbed, fitted
 from deltacal_gen.motion.ladder import Ladder
+from deltacal_gen.motion.lag import with_lag
 from deltacal_gen.motion.library import Rung
 from deltacal_gen.motion.rigid import Rigid
 from deltacal_gen.motion.session import Session
@@ -38,7 +39,7 @@ def ladder(sizes: tuple[float, ...], correlated: Callable[[np.ndarray], float]) 
     names = ("coulomb_friction", "viscous_friction", "presliding_friction", "quadratic_friction")
     rungs = tuple(Rung(name, (0.1,) if name == "presliding_friction" else ()) for name in names[: len(sizes)])
     bench = regression.Bench.of(X, y, fold, 0)
-    return Ladder(bench, rungs, tuple((c,) for c in range(len(sizes))), X, y, correlated)
+    return Ladder(bench, rungs, tuple((c,) for c in range(len(sizes))), X, y, correlated, fold)
 
 
 def test_what_drives_usually_have_must_earn_its_place_too() -> None:
@@ -91,6 +92,37 @@ def test_a_clock_that_jumps_leaves_stretches_to_hold_out() -> None:
     fold, held = regression.folds_of(time, np.zeros(3000, dtype=int), np.ones(3000, dtype=bool))
     assert set(held) == set(range(regression.FOLDS))
     assert min((fold == k).sum() for k in range(regression.FOLDS)) > 100
+
+
+@pytest.mark.parametrize(("seconds", "folds"), [(2.5, 1), (2.7, 2), (4.2, 2), (4.3, 3), (7.5, 5), (12.0, 5)])
+def test_a_short_movement_is_held_out_by_as_many_seconds_as_it_has(seconds: float, folds: int) -> None:
+    """Of samples between two stretches no fit takes any; at the ends there is nothing to keep away from."""
+    time = np.arange(0, seconds, 0.01)
+    fold, held = regression.folds_of(time, np.zeros(len(time), dtype=int), np.ones(len(time), dtype=bool))
+    assert set(held) == set(range(folds))
+    assert fold[0] == 0
+    assert fold[-2] >= 0
+    for k in np.flatnonzero(np.diff(held)):
+        assert (fold[k - 28 : k + 29] == regression.BETWEEN).all()
+    stretches = np.flatnonzero(np.diff((fold == regression.BETWEEN).astype(int), prepend=1, append=1))
+    assert np.diff(stretches)[::2].min() >= 99
+
+
+@pytest.mark.parametrize(
+    ("seconds", "seed", "whole"),
+    [(4.0, 1, False), (4.0, 7, False), (5.0, 3, True), (6.0, 8, True), (8.0, 3, True)],
+)
+def test_one_short_movement_tells_usual_friction_and_nothing_that_is_not_there(
+    seconds: float, seed: int, whole: bool, tmp_path: Path
+) -> None:
+    """Stretches choose for one another what does not hold there; a delay does what a term that lacks would."""
+    true = {("coulomb_friction", 1), ("viscous_friction", 1), ("coulomb_friction", 2), ("viscous_friction", 3)}
+    found = set()
+    for each in session_of(written(tmp_path, usual, runs=1, seed=seed, seconds=seconds)).moving:
+        fit = with_lag(climbed(each))
+        found |= {(rung.effect, each.number) for rung in fit.rungs}
+        assert fit.lag is None
+    assert found == true if whole else found < true
 
 
 def test_what_is_held_out_is_that_of_fits_to_the_other_folds() -> None:
@@ -154,9 +186,11 @@ def test_a_joint_that_others_shake_stands() -> None:
 
 @pytest.fixture(scope="module")
 def session(tmp_path_factory: pytest.TempPathFactory) -> Session:
-    folder = tmp_path_factory.mktemp("arm")
-    recording = written(folder, usual, runs=3)
-    machine, said = read_robot(folder / "robot.toml"), read_sidecar(recording)
+    return session_of(written(tmp_path_factory.mktemp("arm"), usual, runs=3))
+
+
+def session_of(recording: Path) -> Session:
+    machine, said = read_robot(recording.parent / "robot.toml"), read_sidecar(recording)
     assert said is not None
     return Session.of(machine, read(recording, mechanism_of(machine), said))
 

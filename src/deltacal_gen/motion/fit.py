@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from deltacal_gen.motion.joint import USUAL, Joint
-from deltacal_gen.motion.ladder import BUYS, Ladder, LookedAt, columns_of
+from deltacal_gen.motion.ladder import BEGUN_WITH, BUYS, Ladder, LookedAt, columns_of
 from deltacal_gen.motion.library import LOAD, Rung, hats, resolution
-from deltacal_gen.motion.regression import Bench
+from deltacal_gen.motion.regression import BETWEEN, Bench
 from deltacal_gen.motion.sizes import settled
 
 if TYPE_CHECKING:
@@ -180,16 +180,20 @@ def climbed(joint: Joint) -> Fit:
     bench = Bench.of(X, joint.y, joint.fold, rigid)
     rival = tuple(range(width, X.shape[1]))
     resolved = resolution(joint.states)
-    ladder = Ladder(bench, candidates, at, X, joint.y, joint.correlated, rival, resolved, sense=joint.sense)
+    ladder = Ladder(bench, candidates, at, X, joint.y, joint.correlated, joint.held, rival, resolved, sense=joint.sense)
     held_out = np.full(len(joint.y), np.nan)
     for fold in bench.folds:
         others, own = [f for f in bench.folds if f != fold], joint.held == fold
         held_out[own] = _apart(joint, ladder, others, own)
-    plain = fitted(joint, []).held_out
-    if _size(held_out) > (1.0 - BUYS) * _size(plain):  # what others choose does not foretell a fold: nothing is told
-        chosen, held_out = list[int](), plain
-    else:
+    plain, usual = (fitted(joint, some).held_out for some in ([], [Rung(name) for name in BEGUN_WITH]))
+    if _size(held_out) <= (1.0 - BUYS) * _size(plain):
         ladder, chosen = _climbed_by(joint, ladder, load, bench.folds)
+    elif (joint.fold == BETWEEN).any() and _size(usual) <= (1.0 - BUYS) * _size(plain):
+        # of few and short stretches others choose nothing that holds, and what drives usually have may
+        held_out = usual
+        chosen = ladder.needed([k for k, rung in enumerate(candidates) if rung.effect in BEGUN_WITH], bench.folds)
+    else:  # nothing that is chosen foretells a fold: nothing is told
+        chosen, held_out = list[int](), plain
     chosen.sort(key=lambda k: (candidates[k].effect not in USUAL, candidates[k].effect, candidates[k].constants))
     fit, ladder = _settled(joint, ladder, chosen, held_out)
     if len(needed := ladder.needed(chosen, bench.folds)) < len(

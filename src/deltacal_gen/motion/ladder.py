@@ -83,6 +83,8 @@ class Ladder:
         The columns, unscaled, and the readings.
     correlated : callable
         How many samples count as one, by residuals (M,).
+    held : (M,) array of int
+        Fold with which each sample is held out.
     rival : tuple of int
         Columns of a smooth function of the joint's position: what is no better than that is no periodic effect.
     resolution : float
@@ -99,6 +101,7 @@ class Ladder:
     X: Array
     y: Array
     correlated: Callable[[Array], float]
+    held: np.ndarray
     rival: tuple[int, ...] = ()
     resolution: float = 1.0
     sense: float = 1.0
@@ -159,13 +162,23 @@ class Ladder:
         return count * float(np.log(before / max(after, 1e-300)))
 
     def foretells(self, chosen: Sequence[int], rung: int, folds: Sequence[int]) -> float:
-        """Return by how much chi2 falls on folds that fits took no part in, counted as `gain` counts.
+        """Return by how much chi2 falls on folds that fits took no part in, samples that hang together there as one.
 
-        Many base parameters take up in a fit what a rung would explain, and predict no other movement by that.
+        Many base parameters take up in a fit what a rung would explain, and predict no other movement by that. What
+        is predicted wrong with a rung that is none hangs together for longer than noise: it goes with the movement.
         """
-        others = [k for k in chosen if k != rung]
-        count = float(self.bench.n[list(folds)].sum()) / self.together(others)
+        count = float(self.bench.n[list(folds)].sum()) / self.correlated(self.apart(chosen, folds))
         return -2.0 * count * float(np.log1p(-min(self.buys(chosen, rung, folds), 1.0 - 1e-12)))
+
+    def apart(self, chosen: Sequence[int], folds: Sequence[int]) -> Array:
+        """Return residuals (M,) of samples of some folds, each by a fit of some rungs to the others; 0 elsewhere."""
+        columns, out = self.columns(chosen), np.zeros(len(self.y))
+        bench = self.bench.with_ridge(columns, folds)
+        for fold in folds:
+            own = self.held == fold
+            found = bench.fit(columns, [f for f in folds if f != fold]) / bench.scale[columns]
+            out[own] = self.y[own] - self.X[np.ix_(own, columns)] @ found
+        return out
 
     def impossible(self, chosen: Sequence[int], folds: Sequence[int]) -> list[int]:
         """Return the rungs that a fit gives a coefficient below zero, where its effect has none: no drive has that."""

@@ -11,12 +11,13 @@ from deltacal_gen.motion.fit import Fit, Lag, climbed
 from deltacal_gen.motion.joint import USUAL, Joint
 from deltacal_gen.motion.ladder import BUYS, PER_COEFFICIENT
 from deltacal_gen.motion.library import Rung
-from deltacal_gen.motion.regression import Bench
+from deltacal_gen.motion.regression import BETWEEN, Bench
 
 LATENCY = "latency"  # as the vocabulary calls it
 LONGEST = 0.25  # s
 ROUNDS = 8
 PROMISING = 0.5  # of what a rung must buy: a first step that promises less is the last
+LEAST_FOLDS = 3  # by one of two alone a delay looks like a term that lacks, and bodies make up for the rest
 SETTLED = 0.1  # standard deviations that a last step may move
 
 
@@ -40,9 +41,35 @@ def _late(fit: Fit, rungs: Sequence[Rung]) -> Fit | None:
         return None
     again = climbed(fit.joint.series.at(found.delay))
     found = _lag(again.joint, again.rungs, again.load)
-    if found is None or not _worth(found):
+    if found is None or not _worth(found) or not _foretold(again.joint, again.rungs, again.load):
         return None
     return dataclasses.replace(again, lag=dataclasses.replace(found, delay=again.joint.delay))
+
+
+def _foretold(joint: Joint, rungs: Sequence[Rung], load: np.ndarray) -> bool:
+    """Tell whether the delays that other folds find take enough of the folds away: short movements have many.
+
+    Of a fold of whose others no delay comes, nothing is taken away.
+    """
+    if len(np.unique(joint.fold[joint.fold != BETWEEN])) < LEAST_FOLDS:
+        return False
+    plain = joint.series.at(0.0)
+    before, after = np.zeros(len(joint.used)), np.zeros(len(joint.used))
+    for fold in np.unique(joint.held[joint.held != BETWEEN]):
+        others = [f for f in np.unique(joint.fold[joint.fold != BETWEEN]) if f != fold]
+        lag = _lag(joint, rungs, load, others)  # from the delay of all on: it ends where that of these is
+        for at, out in ((plain, before), (plain if lag is None else joint.series.at(lag.delay), after)):
+            own = at.rows[at.held == fold]
+            out[own] = _apart(at, rungs, others)[at.held == fold]
+    both = np.intersect1d(plain.rows, joint.rows)
+    return float(np.sum(after[both] ** 2)) < (1.0 - BUYS) ** 2 * float(np.sum(before[both] ** 2))
+
+
+def _apart(joint: Joint, rungs: Sequence[Rung], folds: Sequence[int]) -> np.ndarray:
+    """Return what a fit to some folds leaves of all samples (M,)."""
+    X = _columns(joint, rungs)
+    bench, every = Bench.of(X, joint.y, joint.fold, joint.X.shape[1]), range(X.shape[1])
+    return np.asarray(joint.y - X @ (bench.with_ridge(every, folds).fit(every, folds) / bench.scale))
 
 
 def _size(fit: Fit) -> float:
@@ -53,8 +80,11 @@ def _worth(lag: Lag) -> bool:
     return lag.bought >= BUYS and lag.gain > PER_COEFFICIENT
 
 
-def _lag(joint: Joint, rungs: Sequence[Rung], load: np.ndarray) -> Lag | None:
-    """Return the delay that leaves least beside some rungs, by Gauss-Newton; None where it does not settle."""
+def _lag(joint: Joint, rungs: Sequence[Rung], load: np.ndarray, folds: Sequence[int] | None = None) -> Lag | None:
+    """Return the delay that leaves least of some folds, or all samples, beside some rungs; None where it settles not.
+
+    By Gauss-Newton.
+    """
     series, delay = joint.series, joint.delay
     for _ in range(ROUNDS):
         here = series.at(delay)
@@ -62,12 +92,13 @@ def _lag(joint: Joint, rungs: Sequence[Rung], load: np.ndarray) -> Lag | None:
         bench = Bench.of(X, here.y, here.fold, here.X.shape[1])
         every = range(X.shape[1])
         bench = bench.with_ridge(every)
-        fitted = bench.fit(every, range(len(bench.n))) / bench.scale
+        rows = range(len(bench.n)) if folds is None else folds
+        fitted = bench.fit(every, rows) / bench.scale
         whole = np.column_stack([X, per_second @ fitted + of_known])
         moved = Bench.of(whole, here.y, here.fold, here.X.shape[1])
         moved = dataclasses.replace(moved, ridge=bench.ridge)
         each = range(whole.shape[1])
-        solution = moved.fit(each, range(len(moved.n))) / moved.scale
+        solution = moved.fit(each, rows) / moved.scale
         left = here.y - whole @ solution
         if delay == 0 and np.std(left) > (1.0 - PROMISING * BUYS) * np.std(here.y - X @ fitted):
             return None

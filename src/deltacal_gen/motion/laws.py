@@ -159,7 +159,7 @@ def _ladder(fit: Fit, more: Sequence[Rung]) -> Ladder:
     joint, rungs = fit.joint, (*fit.rungs, *more)
     X, rigid = joint.columns(rungs, fit.load), joint.X.shape[1]
     bench = Bench.of(X, joint.y, joint.fold, rigid)
-    return Ladder(bench, rungs, columns_of(rungs, rigid), X, joint.y, joint.correlated, sense=joint.sense)
+    return Ladder(bench, rungs, columns_of(rungs, rigid), X, joint.y, joint.correlated, joint.held, sense=joint.sense)
 
 
 def _needed(fit: Fit, terms: Sequence[Rung]) -> list[int]:

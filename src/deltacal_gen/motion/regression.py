@@ -24,6 +24,7 @@ FOLDS = 5  # of stretches
 GAP = 0.3  # s on either side of a stretch that no fit uses
 BETWEEN = -1  # fold of samples in such gaps
 FEWEST = 20  # samples of a fold
+MOVING = 0.5  # of the shortest stretch: so long the joint must be in motion in a fold of them, too
 LONGEST = 2.0  # s over which samples hang together, at most
 NOTHING = 1e-9  # of a column's mean square: what is left of one that others make up
 RIDGES = (1e-9, 1e-6, 1e-4, 1e-2)  # of a column's size, per sample
@@ -49,15 +50,18 @@ def folds_of(time: Array, run: np.ndarray, used: np.ndarray) -> tuple[np.ndarray
     length, done = max(STRETCH + 2 * GAP, moving / STRETCHES), 0
     for code in np.unique(run[used]):
         own = np.flatnonzero(used & (run == code))
-        at = time[own] - time[own[0]]
-        block = np.floor(at / length).astype(int)
-        inside = at - block * length
-        kept = (inside >= GAP) & (inside <= length - GAP)
+        at = time[own] - time[own[0]] + GAP  # a movement asks for no gap at its ends
+        count = max(1, int((at[-1] + GAP) // length))
+        width = (at[-1] + GAP) / count
+        block = np.minimum(np.floor(at / width).astype(int), count - 1)
+        inside = at - block * width
+        kept = (inside >= GAP) & (inside <= width - GAP)
         held[own] = (done + block) % FOLDS
         out[own[kept]] = held[own[kept]]
         done += int(block[-1]) + 1
+    least = max(FEWEST, MOVING * STRETCH / float(np.median(step[step > 0])))
     for fold in range(FOLDS):
-        if (out == fold).sum() < FEWEST:
+        if (out == fold).sum() < least:
             out[out == fold] = held[held == fold] = BETWEEN
     return out, held
 
