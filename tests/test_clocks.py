@@ -270,12 +270,15 @@ def test_where_nothing_else_is_wrong_nothing_else_is_named(recorded: Path) -> No
     assert "latency" in {m["name"] for m in found["not_tested"]}
 
 
-def test_readings_that_come_late_need_no_speeds_in_the_file(tmp_path: Path) -> None:
-    """One clock: what is read belongs to 12 ms earlier; neither qd nor run stand in the file."""
-    path, rng = swings(2), np.random.default_rng(8)
-    t = np.arange(0.5, 6.5, 0.01)
-    x = read_at(path(t - 0.012), plausible(DELTA, seed=3), rng)
-    table(tmp_path / "recording.csv", ["time_s", *Q, *X], [t, *(path(t) / DEG).T, *x.T])
+@pytest.mark.parametrize("names", [(), ("1", "2"), ("forth", "back")])
+def test_readings_that_come_late_need_no_speeds_in_the_file(tmp_path: Path, names: tuple[str, ...]) -> None:
+    """One clock: what is read belongs to 12 ms earlier; no qd stands in the file. Runs may have any name, or none."""
+    rng, t, rows = np.random.default_rng(8), np.arange(0.5, 6.5 if not names else 3.5, 0.01), list[Any]()
+    for seed, name in enumerate(names or ("",), start=2):
+        path = swings(seed)
+        x = read_at(path(t - 0.012), plausible(DELTA, seed=3), rng)
+        rows += [[*([name] if names else []), *row] for row in np.column_stack([t, path(t) / DEG, x])]
+    table(tmp_path / "recording.csv", [*(["run"] if names else []), "time_s", *Q, *X], list(zip(*rows, strict=True)))
     (tmp_path / "recording.toml").write_text(f'[measurement]\nkind = "position"\nsigma_mm = {NOISE}\n')
     (tmp_path / "robot.toml").write_text(robot_to_toml(ROBOT))
     found = dc.diagnose(tmp_path / "robot.toml", tmp_path / "recording.csv", model="delta/18")

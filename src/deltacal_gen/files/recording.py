@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import dataclasses
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from numbers import Integral
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -453,6 +453,8 @@ def _channel(rows: Rows, name: str, doubtful: bool) -> np.ndarray | None:
     """
     if name in RESERVED or JOINT.fullmatch(name):
         return None
+    if name == "run" and any(cell and number_of(cell) is None for cell in rows.columns[name]):
+        return _counted(rows.columns[name])
     if not is_channel(name) and all(number_of(cell) is None for cell in rows.columns[name]):
         return None
     values = rows.numbers(name)[:, 0]
@@ -464,6 +466,12 @@ def _channel(rows: Rows, name: str, doubtful: bool) -> np.ndarray | None:
         problem = f"the cell holds '{rows.columns[name][row]}': {expected}."
         raise rows.error(problem, "Correct the cell, or leave it blank if it is not known.", row=row, column=name)
     return values
+
+
+def _counted(labels: Sequence[str]) -> np.ndarray:
+    """Return names (N,) as numbers from 1, in the order in which they appear; NaN of a blank cell."""
+    numbers = {label: k for k, label in enumerate(dict.fromkeys(filter(None, labels)), start=1)}
+    return np.array([numbers.get(label, np.nan) for label in labels])
 
 
 def _has_home(mechanism: Machine) -> bool:
