@@ -26,6 +26,7 @@ from deltacal_gen.motion.library import Rung
 from deltacal_gen.motion.rigid import Rigid
 from deltacal_gen.motion.session import Session
 from deltacal_gen.motion.trajectories import Motion, read, read_sidecar
+from tests import motion_recordings
 from tests.motion_recordings import usual, written
 
 SAMPLES, FOLDS = 4000, 4
@@ -123,6 +124,19 @@ def test_one_short_movement_tells_usual_friction_and_nothing_that_is_not_there(
         found |= {(rung.effect, each.number) for rung in fit.rungs}
         assert fit.lag is None
     assert found == true if whole else found < true
+
+
+@pytest.mark.parametrize("delay", [0.06, -0.12])
+def test_a_long_delay_is_found_in_quick_samples_too(
+    delay: float, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Thirty samples of 2 ms, and sixty."""
+    monkeypatch.setattr(motion_recordings, "STEP", 0.002)
+    recording = written(tmp_path, usual, runs=3, seed=2, seconds=4.0, delay=(0.0, 0.0, delay))
+    fit = with_lag(climbed(session_of(recording).joints[2]))
+    assert fit.lag is not None
+    assert abs(fit.lag.delay - delay) < 4 * fit.lag.std < 0.01
+    assert [rung.effect for rung in fit.rungs] == ["viscous_friction"]
 
 
 def test_what_is_held_out_is_that_of_fits_to_the_other_folds() -> None:

@@ -25,6 +25,7 @@ NOISY_SPEED = 5.0  # standard deviations of a velocity: nor is its sign
 DRY, VISCOUS, OFFSET = USUAL = "coulomb_friction", "viscous_friction", "torque_offset"  # what every drive begins with
 HIGHEST = 0.99  # quantile of speeds that is meant by highest
 TURNED = 30.0  # of chi2: what friction that drives a joint must earn, so that its reading counts as turned round
+SAME_TIME = 1e-9  # s
 FEW = 100  # samples: a joint with fewer in motion is not looked at
 
 
@@ -205,7 +206,10 @@ class Series:
         late = functools.partial(earlier, delay=delay, time=self.time, piece=self.piece)
         X, states = late(self.X), {name: late(values) for name, values in self.states.items()}
         y = self.y - late(self.carried)
-        there = self.known & np.isfinite(y)
+        then = late(
+            np.column_stack([self.time, self.known])
+        )  # of what the joints did before a movement nothing is known
+        there = self.known & np.isfinite(y) & (then[:, 1] == 1.0) & (np.abs(self.time - delay - then[:, 0]) < SAME_TIME)
         used = there & (np.abs(states["qd"]) > self.threshold)
         rows = np.flatnonzero(used)
         fold, held = folds_of(self.time, self.run, used)

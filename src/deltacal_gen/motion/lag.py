@@ -15,9 +15,11 @@ from deltacal_gen.motion.regression import BETWEEN, Bench
 
 LATENCY = "latency"  # as the vocabulary calls it
 LONGEST = 0.25  # s
-ROUNDS = 8
+ROUNDS = 16
+STRIDE = 0.02  # s: farthest that one round may go, or four samples where these are farther apart
 PROMISING = 0.5  # of what a rung must buy: a first step that promises less is the last
 LEAST_FOLDS = 3  # by one of two alone a delay looks like a term that lacks, and bodies make up for the rest
+CLIMBS, NEAR = 3, 0.5  # of the ladder with a delay, until that is beside its rungs so many deviations away
 SETTLED = 0.1  # standard deviations that a last step may move
 
 
@@ -25,22 +27,28 @@ def with_lag(fit: Fit) -> Fit:
     """Return a joint's ladder with the delay of its readings, where that is worth it; the ladder is climbed again.
 
     Dry friction that comes late looks like friction that builds up over a way, beside which no small delay buys a
-    thing: beside usual friction it is looked for once more, and must then buy more than the rungs that had been taken.
+    thing, and where all comes late nothing may be chosen at all: beside usual friction it is looked for once more, and
+    must then buy more than the rungs that had been taken.
     """
     found = _late(fit, fit.rungs)
-    if found is not None or not any("travels" in rung.kernels.SEARCHED for rung in fit.rungs):
-        return fit if found is None else found
+    if found is not None:
+        return found
+    if fit.rungs and not any("travels" in rung.kernels.SEARCHED for rung in fit.rungs):
+        return fit
     found = _late(fit, [Rung(name) for name in USUAL])
     return fit if found is None or _size(found) > (1.0 - BUYS) * _size(fit) else found
 
 
 def _late(fit: Fit, rungs: Sequence[Rung]) -> Fit | None:
     """Return the ladder with a delay that is found beside some rungs; None where it is worth nothing."""
-    found = _lag(fit.joint, rungs, fit.load)
-    if found is None or not _worth(found):
-        return None
-    again = climbed(fit.joint.series.at(found.delay))
-    found = _lag(again.joint, again.rungs, again.load)
+    again, found = fit, _lag(fit.joint, rungs, fit.load)
+    for _ in range(CLIMBS):  # beside other rungs it is another delay, and at another delay these are other rungs
+        if found is None or not _worth(found):
+            return None
+        again = climbed(fit.joint.series.at(found.delay))
+        found = _lag(again.joint, again.rungs, again.load)
+        if found is not None and abs(found.delay - again.joint.delay) < NEAR * found.std:
+            break
     if found is None or not _worth(found) or not _foretold(again.joint, again.rungs, again.load):
         return None
     return dataclasses.replace(again, lag=dataclasses.replace(found, delay=again.joint.delay))
@@ -54,14 +62,14 @@ def _foretold(joint: Joint, rungs: Sequence[Rung], load: np.ndarray) -> bool:
     if len(np.unique(joint.fold[joint.fold != BETWEEN])) < LEAST_FOLDS:
         return False
     plain = joint.series.at(0.0)
-    before, after = np.zeros(len(joint.used)), np.zeros(len(joint.used))
+    before, after = np.full(len(joint.used), np.nan), np.full(len(joint.used), np.nan)
     for fold in np.unique(joint.held[joint.held != BETWEEN]):
         others = [f for f in np.unique(joint.fold[joint.fold != BETWEEN]) if f != fold]
         lag = _lag(joint, rungs, load, others)  # from the delay of all on: it ends where that of these is
         for at, out in ((plain, before), (plain if lag is None else joint.series.at(lag.delay), after)):
             own = at.rows[at.held == fold]
             out[own] = _apart(at, rungs, others)[at.held == fold]
-    both = np.intersect1d(plain.rows, joint.rows)
+    both = np.isfinite(before) & np.isfinite(after)
     return float(np.sum(after[both] ** 2)) < (1.0 - BUYS) ** 2 * float(np.sum(before[both] ** 2))
 
 
@@ -106,7 +114,8 @@ def _lag(joint: Joint, rungs: Sequence[Rung], load: np.ndarray, folds: Sequence[
         variance = float(left @ left) / max(len(left) - len(solution) * together, 1.0)
         std = float(np.sqrt(moved.covariance(each)[-1, -1] * variance * together) / moved.scale[-1])
         step = float(solution[-1])
-        delay += float(np.clip(step, -4 * here.step, 4 * here.step))
+        stride = max(STRIDE, 4 * here.step)
+        delay += float(np.clip(step, -stride, stride))
         if not abs(delay) < LONGEST:
             return None
         if abs(step) < SETTLED * std:
