@@ -21,6 +21,7 @@ from test_printers import joints, printer_cfg
 
 from deltacal_gen import InputError, UsageError
 from deltacal_gen.app import commands, fleet
+from deltacal_gen.app.asked import place_of
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.app.moved import grown, moved
 from deltacal_gen.files.robot import robot_from_dict, robot_to_toml
@@ -254,7 +255,7 @@ def test_a_law_that_several_recordings_have_is_told_whatever_its_shape() -> None
             after_mm=0.01,
             noise_mm=0.01,
             error=None,
-            law=fleet._place_of(term),
+            law=place_of(term),
         )
 
     shapes = ("c1*payload", "c1*(tanh(payload/c2) + c3)", "c1*payload*oil_C", "c1*Max(payload - c2, 0)")

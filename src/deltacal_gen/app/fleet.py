@@ -13,18 +13,20 @@ import hashlib
 import json
 import os
 import re
-import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager, suppress
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import Any, cast
 
+from deltacal_gen.app import asked
+from deltacal_gen.app.asked import place_of as place_of_law
 from deltacal_gen.app.commands.calibration import diagnose, identify
 from deltacal_gen.app.commands.sources import import_klipper, import_points, import_rrf
 from deltacal_gen.app.commands.use import validate
 from deltacal_gen.app.moved import moved
+from deltacal_gen.app.tasks import RECORDING, ROBOT, Contents, laid_out
 from deltacal_gen.errors import DeltacalError, InputError, UsageError
 from deltacal_gen.execution import Outcome, Store, Task, Told, content_key, run
 from deltacal_gen.files.points import is_table_of_joints
@@ -34,7 +36,6 @@ from deltacal_gen.files.writing import csv_text, write_files
 from deltacal_gen.machine.places import place_of
 from deltacal_gen.motion import kinds
 from deltacal_gen.pages import report
-from deltacal_gen.physics.law import PREFIX, load_law
 from deltacal_gen.results.base import Answer, Json
 from deltacal_gen.results.batch import (
     Action,
@@ -53,7 +54,7 @@ from deltacal_gen.results.batch import (
     in_table,
     worst,
 )
-from deltacal_gen.results.diagnosis import Diagnosis, Geometry, LawTerm, Verdict
+from deltacal_gen.results.diagnosis import Diagnosis, Geometry, Verdict
 from deltacal_gen.results.motion import (
     MotionDiagnosis,
     MotionResult,
@@ -71,7 +72,6 @@ DRIVES: Mapping[Action, type[Done]] = {
 }
 ACTIONS = tuple(ROWS)
 FIGURES = "figures"  # key beside those of an answer, in what a task keeps
-ROBOT = "robot.toml"
 RESULT = "result.json"  # beside the robot: what its recordings are validated against
 PAGES = "pages"  # of single recordings, in the run directory
 TABLES = (".csv", ".tsv", ".xlsx", ".xlsm", ".parquet")
@@ -85,8 +85,6 @@ IMPORTS: Mapping[str, Callable[..., Any]] = {
     "points": import_points,
 }
 LOOKED_AT = 1_000_000  # bytes of a text, to tell what it is
-
-Contents = Mapping[str, bytes]
 
 
 @dataclass(frozen=True)
@@ -149,7 +147,7 @@ def find(folder: str | Path, action: str = "diagnose", machine: str | None = Non
         robot = place / ROBOT
         for table in recordings:
             label = table.relative_to(folder).as_posix()
-            files = {ROBOT: robot, "recording.csv": table}
+            files = {ROBOT: robot, RECORDING: table}
             for ending in OWN:
                 if table.with_suffix(ending).exists():
                     files[f"recording{ending}"] = table.with_suffix(ending)
@@ -254,12 +252,9 @@ def unpack(kind: str, files: Contents) -> Json:
     dict
         ``recordings``: by name, the files as a job has them, as text; ``warnings`` of the import.
     """
-    with tempfile.TemporaryDirectory() as temporary:
-        folder, out = Path(temporary), Path(temporary) / "imported"
-        for name, content in files.items():
-            (folder / name).write_bytes(content)
-        with _own_names():
-            made = IMPORTS[kind](*(folder / name for name in files), output=out)
+    with laid_out(files) as folder:
+        out = folder / "imported"
+        made = IMPORTS[kind](*(folder / name for name in files), output=out)
         recordings = {}
         for name in made.recordings:
             ends = (".csv", *OWN)
@@ -268,38 +263,24 @@ def unpack(kind: str, files: Contents) -> Json:
         return {"recordings": recordings, "warnings": list(made.warnings)}
 
 
-@contextmanager
-def _own_names() -> Iterator[None]:
-    """Name files in errors as the user knows them: by their names, not by where a worker has put them."""
-    try:
-        yield
-    except InputError as error:
-        file = None if error.file is None else Path(str(error.file)).name
-        raise InputError(error.problem, error.remedy, file=file, line=error.line, column=error.column) from None
-
-
 def do(action: str, model: str | None, files: Contents) -> Json:
     """Do one task in a folder of its own; runs on a worker."""
-    with tempfile.TemporaryDirectory() as temporary:
-        folder = Path(temporary)
-        for name, content in files.items():
-            (folder / name).write_bytes(content)
-        robot, recording = folder / ROBOT, folder / "recording.csv"
-        with _own_names():
-            moving = kinds.in_motion(recording) is not None
-            model = None if moving else model  # of the geometry
-            if action == "validate":
-                return _with_figures(validate(folder / RESULT, recording))
-            if action == "identify":
-                return _with_figures(identify(robot, recording, model))
-            found = diagnose(robot, recording, model=model)
-            # else what is left out would be taken for parts that moved
-            if found.verdict is Verdict.ADEQUATE and not moving:
-                with suppress(DeltacalError):
-                    calibrated = identify(robot, recording, model)
-                    geometry = Geometry(robot=calibrated.robot, parameters=calibrated.parameters)
-                    found = found.replace(geometry=geometry)
-            return _with_figures(found)
+    with laid_out(files) as folder:
+        robot, recording = folder / ROBOT, folder / RECORDING
+        moving = kinds.in_motion(recording) is not None
+        model = None if moving else model  # of the geometry
+        if action == "validate":
+            return _with_figures(validate(folder / RESULT, recording))
+        if action == "identify":
+            return _with_figures(identify(robot, recording, model))
+        found = diagnose(robot, recording, model=model)
+        # else what is left out would be taken for parts that moved
+        if found.verdict is Verdict.ADEQUATE and not moving:
+            with suppress(DeltacalError):
+                calibrated = identify(robot, recording, model)
+                geometry = Geometry(robot=calibrated.robot, parameters=calibrated.parameters)
+                found = found.replace(geometry=geometry)
+        return _with_figures(found)
 
 
 def _with_figures(found: Answer) -> Json:
@@ -327,14 +308,14 @@ def conduct(
     keys: dict[str, str] = {}
     files: dict[str, str] = {}
 
-    def asked(job: Job) -> tuple[Any, ...]:
+    def given(job: Job) -> tuple[Any, ...]:
         return action, model, job.contents()
 
     def tasks() -> Iterator[Task]:
         for job in open_:
             key, files[job.label] = _key(job.contents, action, model)
             keys[job.label] = key
-            yield Task(key, job.label, partial(asked, job))
+            yield Task(key, job.label, partial(given, job))
 
     outcomes = run(do, tasks(), total=len(open_), **where)
     rows = []
@@ -343,9 +324,8 @@ def conduct(
         rows.append(_row(cast("Action", action), job, outcome))
     changed = _changed(open_, keys, files, store, _last(directory))
     passed = passed_over(Path(folder), listed) or None
-    found = Batch(
-        action=cast("Action", action), rows=tuple(rows), changed=changed, laws=common(rows), passed_over=passed
-    )
+    laws = common(rows, asked.in_all(_diagnosed(open_, rows, keys, store), where))
+    found = Batch(action=cast("Action", action), rows=tuple(rows), changed=changed, laws=laws, passed_over=passed)
     lines = [row.to_dict() for row in rows]
     columns = list(dict.fromkeys(name for line in lines for name in line))
     table = {c: [in_table(getattr(row, c, None)) for row in rows] for c in columns}
@@ -357,6 +337,21 @@ def conduct(
         }
     )
     return found
+
+
+def _diagnosed(jobs: Sequence[Job], rows: Sequence[Row], keys: Mapping[str, str], store: Store) -> list[asked.Done]:
+    """Return the recordings at rest that were diagnosed."""
+    by_name = {row.recording: row for row in rows if isinstance(row, DiagnosedRow)}
+
+    def answer(key: str) -> Json | None:
+        kept = store.get(key)
+        return None if kept is None else kept.result
+
+    return [
+        asked.Done(by_name[job.label], job.contents, keys[job.label], partial(answer, keys[job.label]))
+        for job in jobs
+        if job.label in by_name
+    ]
 
 
 def _unpacked(
@@ -422,12 +417,6 @@ def _key(contents: Callable[[], Contents], *more: str | None) -> tuple[str, str]
     return content_key(Batch.schema, *more, digest.hexdigest()), digest.hexdigest()[:32]
 
 
-def _place_of(term: LawTerm) -> str:
-    """Return what a term of a law moves and what it reads, whatever its shape: ``joint(oil_C, payload)``."""
-    states = sorted(load_law(f"{PREFIX}{term.target} = {term.expression}").STATE)
-    return f"{term.target}({', '.join(states)})"
-
-
 def _figures(found: Answer) -> Json:
     """Return what the table says of an answer, by the fields of its row."""
     if isinstance(found, MotionDiagnosis | MotionResult | MotionValidation):
@@ -441,7 +430,7 @@ def _figures(found: Answer) -> Json:
             "before_mm": found.baseline.heldout_rms_mm,
             "after_mm": found.final.heldout_rms_mm,
             "noise_mm": found.noise.sigma_mm,
-            "law": "; ".join(map(_place_of, found.laws[0].terms)) if found.laws else None,
+            "law": "; ".join(map(place_of_law, found.laws[0].terms)) if found.laws else None,
         }
     if isinstance(found, Result):
         return {
@@ -476,7 +465,7 @@ def _figures_of_drives(found: MotionDiagnosis | MotionResult | MotionValidation)
         "effects": "; ".join(f"{e.name} {' '.join(map(str, e.limbs))}".strip() for e in found.effects),
         "model": found.baseline.model,
         "before_by_joint": found.baseline.heldout_rms_by_joint,
-        "law": "; ".join(dict.fromkeys(map(_place_of, found.laws[0].terms))) if found.laws else None,
+        "law": "; ".join(dict.fromkeys(map(place_of_law, found.laws[0].terms))) if found.laws else None,
     }
 
 

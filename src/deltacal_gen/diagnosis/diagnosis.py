@@ -181,7 +181,7 @@ def _geometry(robot: Robot, recording: Recording, model: str | None) -> tuple[Pr
     return problem, model, own is not None
 
 
-class _Drawn(NamedTuple):
+class Drawn(NamedTuple):
     """A machine as a robot draws it.
 
     Attributes
@@ -205,7 +205,7 @@ class _Drawn(NamedTuple):
 
 @dataclass(frozen=True)
 class _Begun:
-    """What a diagnosis rests on, and what a first search has found beside it; see `_Drawn`.
+    """What a diagnosis rests on, and what a first search has found beside it; see `Drawn`.
 
     Attributes
     ----------
@@ -233,13 +233,13 @@ def _begun(robot: Robot, recording: Recording, model: str | None, progress: Prog
     But physics strains geometry, too, which is as drawn once that is beside it: what another machine does not explain
     is looked for beside the drawing, which stands where less is left.
     """
-    drawn = _beside(robot, recording, model)
+    drawn = drawn_beside(robot, recording, model)
     wanted = _as_drawn(drawn.some, drawn.first) if strained(drawn.first) else None
     if not drawn.lean:
         wanted = as_read(wanted or drawn.first) or wanted
     if wanted is None or not (doubt := doubts(wanted)):
         return _searched(drawn, progress), ()
-    other = _searched(_beside(_calibrated(robot, wanted), recording, model), progress)
+    other = _searched(drawn_beside(_calibrated(robot, wanted), recording, model), progress)
     explained = not (other.white.search.effects or other.white.unexplained)
     if explained or other.first.sigma[0] < ANOTHERS * drawn.first.sigma[0]:
         return other, doubt
@@ -248,17 +248,24 @@ def _begun(robot: Robot, recording: Recording, model: str | None, progress: Prog
     return (begun, ()) if kept.sigma[0] < instead.sigma[0] and not strained(kept) else (other, doubt)
 
 
-def _beside(robot: Robot, recording: Recording, model: str | None) -> _Drawn:
+def drawn_beside(robot: Robot, recording: Recording, model: str | None) -> Drawn:
+    """Return a machine as its robot draws it, with the fit of its geometry beside which effects are sought.
+
+    Raises
+    ------
+    InputError
+        As `diagnose`.
+    """
     problem, name, lean = _geometry(robot, recording, model)
     some = problem.some(MOST_POSES, np.random.default_rng(SEED))
     first = _first(some, recording)
     if (rest := checks.without_knocked(problem, first)) is not None:
         problem, some = rest, rest.some(MOST_POSES, np.random.default_rng(SEED))
         first = _first(some, recording)
-    return _Drawn(robot, problem, name, lean, some, first)
+    return Drawn(robot, problem, name, lean, some, first)
 
 
-def _searched(of: _Drawn, progress: Progress) -> _Begun:
+def _searched(of: Drawn, progress: Progress) -> _Begun:
     terms, not_tested = library(of.some) if not of.lean else ([], _untested(of.problem))
     return _Begun(*of, terms, not_tested, searched(of.some, of.first, terms, of.lean, progress))
 

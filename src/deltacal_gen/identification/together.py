@@ -75,11 +75,14 @@ def deviance_of(at: Fit) -> float:
     The noise is the one that suits best what it leaves: one that leaves white noise needs none that hangs together.
     Geometry and instrument are taken out whatever the effects: the likelihood is that of the same contrasts for all.
     Noise that hangs together pays its price, beside an effect or instead of it; so does one that has directions. A
-    gross error counts as a reading of as much more noise as it is off.
+    gross error counts as a reading of as much more noise as it is off. Readings of two rows stand in no order, and
+    their noise is each one's own.
     """
     series = Series.of(at.problem.readings)
-    assert series is not None  # otherwise nothing is compared
-    _, found = _suited(at, series, len(at.problem.names))
+    if series is None:
+        found = float((_rows(at, at.residual) ** 2).sum())
+    else:
+        _, found = _suited(at, series, len(at.problem.names))
     return found + 2 * float((np.log(at.sigma) * np.isfinite(at.residual).sum(axis=0)).sum())
 
 

@@ -8,10 +8,10 @@ import json
 import re
 from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Final, cast
+from typing import TYPE_CHECKING, Any, Final, TypeVar, cast
 
 from deltacal_gen.errors import InputError
-from deltacal_gen.results.base import Answer, key_of, plain
+from deltacal_gen.results.base import Answer, Json, Value, key_of, plain
 
 if TYPE_CHECKING:
     from pydantic_core import ErrorDetails
@@ -52,6 +52,7 @@ IN_MOTION = {  # the same of recordings in motion
 }
 TORQUE: Final = "torque"  # what drives give
 KINDS_IN_MOTION = (TORQUE,)
+Part = TypeVar("Part", bound=Value)
 Given = str | Path | Mapping[str, Any]  # an answer: its file, its JSON, or itself
 FITTED = ("deltacal.result/1", "deltacal.diagnosis/1")
 COMMANDS = {  # that write the files which other commands read
@@ -75,8 +76,8 @@ def types_of(schema: str) -> tuple[type[Answer], ...]:
 
 
 @functools.cache
-def checker(kind: type[Answer]) -> Any:
-    """Return what reads and checks answers of a type: pydantic's adapter of it."""
+def checker(kind: type[Value]) -> Any:
+    """Return what reads and checks answers of a type, or parts of them: pydantic's adapter of it."""
     from pydantic import TypeAdapter
 
     return TypeAdapter(kind)
@@ -133,6 +134,12 @@ def read_answer(source: Given, schemas: tuple[str, ...] = (*ANSWERS,), kind: str
         raise refused.error(schema, schemas)
     moves = schema in IN_MOTION and data.get("kind") in KINDS_IN_MOTION
     return _checked(type_of(str(schema), in_motion=moves), text, refused)
+
+
+def read_part(kind: type[Part], found: Json) -> Part:
+    """Return a part of an answer from its JSON, which this package has written itself."""
+    part: Part = checker(cast("Any", kind)).validate_json(json.dumps(found))
+    return part
 
 
 def _text(file: Path) -> str:

@@ -7,7 +7,7 @@ where what it goes with changes slowly from row to row.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -45,7 +45,8 @@ class Proof:
         Of the readings that were asked, and of the same by geometry alone [mm].
     share : float
         Of the variance above the noise in them: what the law takes.
-    holds : bool
+    nearer : bool
+        Whether they lie nearer to what is predicted with the law.
     """
 
     grown: Grown
@@ -54,7 +55,12 @@ class Proof:
     rms: float
     without: float
     share: float
-    holds: bool
+    nearer: bool
+
+    @property
+    def holds(self) -> bool:
+        """Whether readings that were asked lie nearer with the law, and it takes most of what stands out of them."""
+        return self.nearer and self.share > SHARE
 
 
 @dataclass(frozen=True)
@@ -84,14 +90,14 @@ def proven(problem: Problem, base: Fit, instead: Instead, again: bool = True) ->
     was read before: of a law that is no function of time alone other parts are asked, if they may be asked `again`.
     """
     proof = _asked(problem, base, instead, _last(problem))
-    if proof is not None and (proof.holds or pace(problem, proof.grown) == "time"):
-        if proof.holds and pace(problem, proof.grown) == "poses" and _repeated(problem):
+    if proof is not None and (proof.holds or pace(problem, proof.grown.states, proof.grown.remembers) == "time"):
+        if proof.holds and pace(problem, proof.grown.states, proof.grown.remembers) == "poses" and _repeated(problem):
             return _asked(problem, base, instead, _poses(problem))
         return proof
     if not again:
         return proof
     proof = _asked(problem, base, instead, _poses(problem))
-    if proof is None or (how := pace(problem, proof.grown)) == "poses":
+    if proof is None or (how := pace(problem, proof.grown.states, proof.grown.remembers)) == "poses":
         return proof
     return _asked(problem, base, instead, _blocks(problem)) if how == "blocks" else None
 
@@ -101,17 +107,17 @@ def _repeated(problem: Problem) -> bool:
     return len(np.unique(problem.readings.group)) < len(problem.readings)
 
 
-def pace(problem: Problem, grown: Grown) -> str:
-    """Return which readings are asked for a law: by ``time``, in ``blocks``, or whole ``poses``.
+def pace(problem: Problem, states: Collection[str], remembers: bool) -> str:
+    """Return which readings are asked for a law of some states: by ``time``, in ``blocks``, or whole ``poses``.
 
     What is a function of time alone may be no more than a walk, which goes on otherwise. Of one that has to do with
     what changes from row to row, as no walk does, rows between are asked.
     """
-    if grown.remembers:
+    if remembers:
         return "time"
     channels, rows = problem.body.channels.values, _in_order(problem)
-    slow = {s: _slow(channels[s][rows]) for s in grown.states if s in channels and channels[s].ndim == 1}
-    if any(named(s).passes for s in grown.states) and all(slow.get(s, True) for s in grown.states):
+    slow = {s: _slow(channels[s][rows]) for s in states if s in channels and channels[s].ndim == 1}
+    if any(named(s).passes for s in states) and all(slow.get(s, True) for s in states):
         return "time"
     return "blocks" if any(slow.values()) else "poses"
 
@@ -144,7 +150,13 @@ def judged(problem: Problem, first: tuple[Fit, Fit], grown: Grown, train: np.nda
     before, alone, after = (held_out(problem, at, test) * at.sigma / grown.fit.sigma for at in (*first, grown.fit))
     share, kept = explained(before, after), quiet(before, after)
     error, without = (rms(lengths((e * grown.fit.sigma)[kept], problem.readings.kind)) for e in (after, alone))
-    return Proof(grown, train, test, error, without, share, bool(share > SHARE and borne_out(before, after)))
+    return Proof(grown, train, test, error, without, share, borne_out(before, after))
+
+
+def parts(problem: Problem, states: Collection[str], remembers: bool) -> tuple[np.ndarray, np.ndarray, bool]:
+    """Return the readings (R,) a law is fitted to, those that are asked, and whether a walk may speak for it."""
+    split = {"time": _last, "blocks": _blocks, "poses": _poses}[pace(problem, states, remembers)]
+    return *split(problem), split is _last
 
 
 def _poses(problem: Problem) -> tuple[np.ndarray, np.ndarray]:
