@@ -156,6 +156,18 @@ def test_beyond_what_was_seen_a_wave_goes_on_and_what_it_is_weighed_by_stays() -
     np.testing.assert_allclose(moved, [10.0, 10.0, 15.0, 0.0])
 
 
+@pytest.mark.parametrize(("width", "recurs"), [(3.0, False), (12.0, False), (13.0, True)])
+def test_a_wave_of_which_not_two_periods_were_seen_goes_on_straight(width: float, recurs: bool) -> None:
+    found = load_law("law joint = c1*time*sin(q)")
+    s = np.array([[width + 0.4, 1.0], [-0.3, 1.0], [width + 0.4, 2.5]])  # q, then time, which is seen from 0 to 2
+    own = s[:, [["q", "time"].index(name) for name in found.STATE]]
+    ends = {"q": (0.0, width), "time": (0.0, 2.0)}
+    moved = found.value(own, np.ones((1, 1)), [e for name in found.STATE for e in ends[name]])[:, 0]
+    at_end = np.sin(width + 0.4) if recurs else np.sin(width) + 0.4 * np.cos(width)
+    at_zero = np.sin(-0.3) if recurs else -0.3
+    np.testing.assert_allclose(moved, [at_end, at_zero, 2.5 * at_end], rtol=2e-3)
+
+
 def test_what_lags_follows_exactly_and_begins_anew_in_every_run() -> None:
     found = load_law("law joint = c1*Lag(torque, c2)")
     h, tau = np.array([3.0]), 7.0

@@ -178,6 +178,15 @@ def test_of_a_product_each_curve_may_leave_something() -> None:
     assert _error(whole, truth) < 0.7 * _error(at, truth)
 
 
+def test_what_another_state_changes_of_a_law_is_predicted_though_too_little_to_be_told() -> None:
+    """The oil's part lies about its mean: alone and times the payload it is large, and takes itself away."""
+    truth = law("joint = c1*payload", 3e-4), law("joint = c1*(oil_C - c2)*(payload - c3)", 9e-6, 45.0, 1.5)
+    at, tried = _fitted("payload", *truth)
+    whole = with_remainder(at, [tried])
+    assert any("oil_C" in t.effect and "(payload - " in t.effect for t in whole.problem.terms)
+    assert _error(whole, *truth) < 0.75 * _error(at, *truth)
+
+
 @pytest.mark.parametrize("tau", [1e-9, 0.0, -1e-9, -3.0, -1e-300])
 def test_a_state_that_lags_by_no_time_or_less_is_itself(tau: float) -> None:
     """A size that is sought may step across zero, beyond which what lags would grow without bounds."""

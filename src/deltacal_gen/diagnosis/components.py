@@ -37,8 +37,8 @@ class Components:
         Scalars, less what is fitted.
     owner : (n,) array of int
         Which component each column belongs to.
-    price : float
-        Of each component that is there [deviance].
+    prices : tuple of float
+        Of each component, where it is there [deviance].
     """
 
     G: Array
@@ -47,16 +47,17 @@ class Components:
     least: float
     degrees: int
     owner: np.ndarray
-    price: float
+    prices: tuple[float, ...]
 
     @staticmethod
-    def of(groups: Sequence[Array], beside: Beside, price: float) -> Components:
-        """Return those of whitened columns (scalars, n_g) each, beside all that is fitted."""
+    def of(groups: Sequence[Array], beside: Beside, price: float | Sequence[float]) -> Components:
+        """Return those of whitened columns (scalars, n_g) each, beside all that is fitted; each may have its price."""
         C, r = np.hstack(groups), beside.residual
         owner = np.repeat(np.arange(len(groups)), [g.shape[1] for g in groups])
         inside, left = beside.Q.T @ C, beside.squares
         degrees = max(len(r) - beside.Q.shape[1], 1)
-        return Components(C.T @ C - inside.T @ inside, C.T @ r, left, max(EXACT * left, 1e-300), degrees, owner, price)
+        prices = tuple(np.broadcast_to(price, len(groups)).tolist())
+        return Components(C.T @ C - inside.T @ inside, C.T @ r, left, max(EXACT * left, 1e-300), degrees, owner, prices)
 
     def deviance(self, sizes: Mapping[int, float]) -> float:
         """Return twice the negative logarithm of the likelihood, the components' price in it."""
@@ -67,7 +68,11 @@ class Components:
         L = np.linalg.cholesky(self.G[np.ix_(own, own)] * d * d[:, None] + np.eye(len(own)))
         z = np.linalg.solve(L, self.b[own] * d)
         left = max(self.rest - float(z @ z), self.least)
-        return self.degrees * float(np.log(left)) + 2 * float(np.log(np.diag(L)).sum()) + len(sizes) * self.price
+        return (
+            self.degrees * float(np.log(left))
+            + 2 * float(np.log(np.diag(L)).sum())
+            + sum(self.prices[k] for k in sizes)
+        )
 
     def likeliest(self, start: Mapping[int, float] | None = None) -> tuple[Sizes, float]:
         """Return the sizes that are likeliest, sought from some on, and their deviance."""

@@ -105,6 +105,25 @@ class Formula:
         return frozenset(self.names) - bare
 
     @cached_property
+    def waves(self) -> tuple[tuple[str, ast.Call], ...]:
+        """Every wave, with the name of what it goes through as that changes; what multiplies or shifts that follows."""
+        calls = [n for n in ast.walk(self.tree) if isinstance(n, ast.Call) and _called(n) in _WAVES]
+        return tuple((n.id, c) for c in calls for n in ast.walk(c.args[0]) if isinstance(n, ast.Name))
+
+    def periods(self, name: str, low: float, high: float, known: Mapping[str, Array | float]) -> float:
+        """Return through how many periods the longest of its waves goes between two values of a name; none: infinite.
+
+        The others have values by name.
+        """
+        found = np.inf
+        for own, wave in self.waves:
+            if own == name:
+                ends = [float(_value(wave.args[0], {**known, name: v})) for v in (low, high)]
+                period = 2 * np.pi if _called(wave) != "Mod" else float(_value(wave.args[1], known))
+                found = min(found, abs(ends[1] - ends[0]) / max(abs(period), 1e-300))
+        return found
+
+    @cached_property
     def linear(self) -> tuple[str, ...]:
         """The constants by which it is multiplied, one in each summand: coefficients, which a fit finds at once."""
         return tuple(dict.fromkeys(name for s in _summands(self.tree) if (name := _outer(s)) is not None))

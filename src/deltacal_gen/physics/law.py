@@ -4,7 +4,8 @@ A law is called by what it says, ``law limb.rod = c1*tanh(tension_1/c2)``: under
 It is fitted jointly with the geometry, kept in answers, predicted from and compensated. The constants that multiply its
 summands are its coefficients; those within (thresholds, scales, orders, time constants) are constants of the term, and
 so are the ends of each state where it was found. Beyond these a law goes on for half of what was seen, and by no more
-than it varied there, then it stays: an exponential or a square that fits within explodes outside. A wave goes on.
+than it varied there, then it stays: an exponential or a square that fits within explodes outside. A wave goes on, but
+one of which not two periods were seen has never been seen to come again: that goes on straight.
 """
 
 from __future__ import annotations
@@ -23,6 +24,8 @@ from deltacal_gen.states import State
 PREFIX = "law "
 ROUNDING = 1e-9  # of the width that was seen: less beyond it is none
 SEEN_AT = 1000  # points of the ranges of its states at which is seen by how much a law varies there
+PERIODS = 2.0  # that were seen of what is taken to recur
+STEP = 1e-3  # of the width that was seen: from where to its end a law is straight
 BEYOND = 0.5  # of the width that was seen: how far a law goes on beyond it
 LEAST, MOST = "least_", "most_"  # of a state, where the law was found
 ADVICE = (
@@ -121,8 +124,38 @@ class Law:
             own = s[outside].copy()
             near = self._functions(len(own), self._known(np.clip(own, *self._box(own, constants).T), constants))
             varies = self._varies(constants)
-            out[outside] = np.clip(out[outside], near - varies, near + varies)
+            out[outside] = np.clip(self._straight(own, constants), near - varies, near + varies)
         return out[:, None]
+
+    def _straight(self, s: Array, constants: Sequence[float | str], first: int = 0) -> Array:
+        """Return what stands beside each coefficient (n, n_c), straight on beyond the ends of what seems to recur.
+
+        States before the `first` are as they are.
+        """
+        turning = [k for k in range(first, len(self.STATE)) if not self._goes_on(self.STATE[k], constants)]
+        if not turning:
+            return self._functions(len(s), self._known(s, constants))
+        k, (low, high) = turning[0], self.ends(constants)[turning[0]]
+        at, step = s.copy(), STEP * (high - low)
+        at[:, k] = np.clip(s[:, k], low, high)
+        beyond = self.held(s, constants)[:, k] - at[:, k]
+        end = self._straight(at, constants, k + 1)
+        if not beyond.any():
+            return end
+        at[:, k] -= np.sign(beyond) * step
+        return end + np.abs(beyond / step)[:, None] * (end - self._straight(at, constants, k + 1))
+
+    def _goes_on(self, state: str, constants: Sequence[float | str]) -> bool:
+        """Tell whether all waves of a state that it has were seen to recur."""
+        k = self.STATE.index(state)
+        low, high = self.ends(constants)[k]
+        values = dict(zip(self.inner, map(float, constants), strict=False))
+        known = values | dict.fromkeys(self.STATE, 0.0)
+        return not np.isfinite(high - low) or self.formula.periods(state, float(low), float(high), known) >= PERIODS
+
+    def _recurs(self, constants: Sequence[float | str]) -> list[bool]:
+        """Return which states only waves ask for that were seen to recur: wherever they go, nothing new comes."""
+        return [s in self.formula.recurring and self._goes_on(s, constants) for s in self.STATE]
 
     def _functions(self, n: int, known: dict[str, Array | float]) -> Array:
         """Return what stands beside each coefficient, (n, n_c)."""
@@ -151,13 +184,12 @@ class Law:
     def held(self, s: Array, constants: Sequence[float | str]) -> Array:
         """Return states (M, n_s) as the law takes them: no farther beyond where it was found than it goes on."""
         low, high = self.ends(constants).T
-        beyond = np.where([state in self.formula.recurring for state in self.STATE], np.inf, BEYOND * (high - low))
+        beyond = np.where(self._recurs(constants), np.inf, BEYOND * (high - low))
         return np.clip(s, low - beyond, high + beyond)
 
     def _box(self, s: Array, constants: Sequence[float | str]) -> Array:
         """Return the ends (n_s + m, 2) that count: none of what recurs, those of its state of what is lagged."""
-        recurs = [state in self.formula.recurring for state in self.STATE]
-        ends = np.where(np.array(recurs)[:, None], [-np.inf, np.inf], self.ends(constants))
+        ends = np.where(np.array(self._recurs(constants))[:, None], [-np.inf, np.inf], self.ends(constants))
         return np.vstack([ends, *(ends[None, self.STATE.index(state)] for state, _ in self.lags)])[: s.shape[1]]
 
     def _outside(self, s: Array, constants: Sequence[float | str]) -> np.ndarray:

@@ -4,12 +4,14 @@ A law is written with few functions, for few readings tell curves apart; nature'
 form leaves of it is too little to be told, but not to be predicted: along each of its states, times what the law does
 along the others, a sum of bumps is drawn by chance, and its size is the likeliest beside everything that is fitted. The
 constants within the law stay. It is zero where there were no readings, and none where it does not pay for its size.
+What else the limb and the machine have may change what a law does, too little to be told: so are bumps of each such
+state, alone and times the law, of which one that is chosen pays for the choice as well.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -22,20 +24,27 @@ from deltacal_gen.estimation.fit import fit
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.machine.registry import Array
+from deltacal_gen.physics.grammar import Curve, Form, renumbered, switch
 from deltacal_gen.physics.law import load_law
 from deltacal_gen.physics.terms import Term
+from deltacal_gen.states import named
 
 BUMPS = (5, 9)  # over the width of a state, each as wide as they are apart
 PRICE = 2.0  # of the deviance (Akaike): what a size has to earn that serves predictions and claims nothing
+ANY = 3  # bumps of a state that a law does not read
 
 
 @dataclass(frozen=True)
 class _Rest:
-    """Bumps along a state of a term of a law, and what they do to the readings, by the noise of which they are."""
+    """Bumps along a state at a term of a law, and what they do to the readings, by the noise of which they are.
+
+    `chosen` are those of a state that the law does not read.
+    """
 
     term: Term
     columns: Array
     scale: float
+    chosen: bool = False
 
 
 def with_remainder(at: Fit, law: Sequence[Tried]) -> Fit:
@@ -47,13 +56,17 @@ def with_remainder(at: Fit, law: Sequence[Tried]) -> Fit:
         With the constants that the terms have.
     """
     ground, first = Ground(at), len(terms_of(at)) - len(law)
+    each = [
+        (ground.freed(i), t, term) for i, (t, term) in enumerate(zip(law, terms_of(at)[first:], strict=True), first)
+    ]
+    others = [r for freed, t, term in each for r in _others(ground, freed, t, term)]
     best, found, rests = np.inf, Sizes(), list[_Rest]()
     for count in BUMPS:
-        each = enumerate(zip(law, terms_of(at)[first:], strict=True), first)
-        tried = [r for i, (t, term) in each for r in _rests(ground, ground.freed(i), t, term, count)]
+        tried = [*(r for freed, t, term in each for r in _rests(ground, freed, t, term, count)), *others]
         if not tried:
             return at
-        sizes, deviance = Components.of([r.columns for r in tried], ground.beside, PRICE).likeliest()
+        prices = [PRICE + 2 * float(np.log(max(len(others), 1))) * r.chosen for r in tried]
+        sizes, deviance = Components.of([r.columns for r in tried], ground.beside, prices).likeliest()
         if deviance < best:
             best, found, rests = deviance, sizes, tried
     kept = [(rests[k], size**0.5 * rests[k].scale) for k, size in found.items()]
@@ -62,17 +75,52 @@ def with_remainder(at: Fit, law: Sequence[Tried]) -> Fit:
 
 def _rests(ground: Ground, freed: Ground, tried: Tried, term: Term, count: int) -> Iterator[_Rest]:
     """Yield the bumps along each state of a term of a law, times its curves of the others."""
-    module, place = load_law(term.effect), ground.place(tried.target)
+    module = load_law(term.effect)
     curves = (None if module.lags else curves_of(freed, tried)) or ()
     ends = dict(zip(module.STATE, module.ends(term.constants).tolist(), strict=True))
     for k, curve in enumerate(curves):
         others: list[Part] = [(c.text, c.constants) for c in (*curves[:k], *curves[k + 1 :])]
         low, high = ends[curve.state]
-        form = of_parts([[bump, *others] for bump in _bumps(curve.state, low, high, count)], module.STATE)
-        C = ground.columns(place, ground.values(form))[:, :, [i - 1 for i in tried.limbs] or [0]]
-        columns = np.swapaxes(C, 1, 2).reshape(len(C), -1)
-        scale, blank = of_noise(columns), ground.term(tried.target, form, tried.limbs)
-        yield _Rest(blank.with_values(np.zeros(blank.n_coefficients)), columns * scale, scale)
+        bumps = _bumps(curve.state, low, high, count)
+        yield _rest(ground, tried, of_parts([[bump, *others] for bump in bumps], module.STATE))
+
+
+def _others(ground: Ground, freed: Ground, tried: Tried, term: Term) -> Iterator[_Rest]:
+    """Yield bumps along each state that a term of a law does not read, alone and times the law about its mean.
+
+    Those are of the limb itself, or of the machine as a whole; where neither is, and of other joints, there are many.
+    """
+    module = load_law(term.effect)
+    curves = (None if module.lags else curves_of(freed, tried)) or ()
+    laws: list[list[Part]] = [[], [_about_mean(ground, tried, curves)]] if curves else [[]]
+    for name in ground.readable(ground.place(tried.target)):
+        if name in module.STATE or named(name).joint or named(name).kind == "place":
+            continue
+        v = ground.states[name]
+        v = v[:, [i - 1 for i in tried.limbs]] if v.ndim == 2 and tried.limbs else v
+        bumps = [(name, ())] if switch(v) else _bumps(name, float(v.min()), float(v.max()), ANY)
+        for law in laws:
+            form = of_parts([[bump, *law] for bump in bumps], [*module.STATE, name] if law else [name])
+            yield replace(_rest(ground, tried, form), chosen=True)
+
+
+def _about_mean(ground: Ground, tried: Tried, curves: Sequence[Curve]) -> Part:
+    """Return a product of curves, less its mean over the readings."""
+    texts, constants = list[str](), list[float]()
+    for c in curves:
+        texts.append(renumbered(c.text, len(constants)))
+        constants += c.constants
+    v = ground.values(of_parts([[("*".join(texts), (*constants,))]], [c.state for c in curves]))
+    own = v[:, [i - 1 for i in tried.limbs]] if v.shape[1] > 1 and tried.limbs else v
+    return f"({'*'.join(texts)} - {{{len(constants)}}})", (*constants, float(own.mean()))
+
+
+def _rest(ground: Ground, tried: Tried, form: Form) -> _Rest:
+    """Return a form of bumps at the place of a term of a law, blank."""
+    C = ground.columns(ground.place(tried.target), ground.values(form))[:, :, [i - 1 for i in tried.limbs] or [0]]
+    columns = np.swapaxes(C, 1, 2).reshape(len(C), -1)
+    scale, blank = of_noise(columns), ground.term(tried.target, form, tried.limbs)
+    return _Rest(blank.with_values(np.zeros(blank.n_coefficients)), columns * scale, scale)
 
 
 def _bumps(state: str, low: float, high: float, count: int) -> list[Part]:
