@@ -165,7 +165,7 @@ def test_a_wave_of_which_not_two_periods_were_seen_goes_on_straight(width: float
     moved = found.value(own, np.ones((1, 1)), [e for name in found.STATE for e in ends[name]])[:, 0]
     at_end = np.sin(width + 0.4) if recurs else np.sin(width) + 0.4 * np.cos(width)
     at_zero = np.sin(-0.3) if recurs else -0.3
-    np.testing.assert_allclose(moved, [at_end, at_zero, 2.5 * at_end], rtol=2e-3)
+    np.testing.assert_allclose(moved, [at_end, at_zero, 2.5 * at_end], rtol=0.01)
 
 
 def test_what_lags_follows_exactly_and_begins_anew_in_every_run() -> None:
