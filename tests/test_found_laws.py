@@ -14,7 +14,7 @@ import pytest
 
 import deltacal_gen as dc
 from deltacal_gen.diagnosis import diagnosis
-from deltacal_gen.diagnosis.answer import Diagnosed
+from deltacal_gen.diagnosis.answer import Diagnosed, _unsought
 from deltacal_gen.diagnosis.laws.ground import TARGETS
 from deltacal_gen.diagnosis.laws.laws import Unsure
 from deltacal_gen.diagnosis.laws.told import _Drawn, told
@@ -373,3 +373,14 @@ def test_what_a_law_leaves_far_above_a_declared_noise_is_no_noise() -> None:
     assert found.verdict == "unexplained"
     assert "is noise" not in found.summary
     assert "a law that nobody has registered" in found.summary
+
+
+@pytest.mark.parametrize(
+    ("ends", "spectrum", "words"),
+    [(2, None, "distance between two poses"), (1, "orders", "so many orders"), (1, None, "")],
+)
+def test_where_no_law_is_looked_for_it_is_said_why(ends: int, spectrum: str | None, words: str) -> None:
+    readings = SimpleNamespace(rows=np.zeros((5, ends), dtype=int))
+    of: Any = SimpleNamespace(final=SimpleNamespace(problem=SimpleNamespace(readings=readings)), spectrum=spectrum)
+    assert words in _unsought(of)
+    assert bool(words) == bool(_unsought(of))

@@ -344,7 +344,7 @@ def _summary(found: Diagnosed) -> str:
     mismatch = "As recorded, a mismatch" if turned else "A mismatch"
     return (
         f"{turned}{mismatch} of {found.final.rms():.4f} mm is left that no registered effect explains: "
-        f"{found.location.text}.{named}{_hinted(found)} {_corrected(found)}"
+        f"{found.location.text}.{named}{_hinted(found)}{_unsought(found)} {_corrected(found)}"
     )
 
 
@@ -357,6 +357,15 @@ def _left_by(found: Diagnosed) -> str:
         f"With it {found.final.rms():.4f} mm are left of the readings that it was fitted to: that {_as_noise(found)}. "
         f"Of held-out readings {after:.4f} mm are left: it is there, but more poses would tell it better."
     )
+
+
+def _unsought(found: Diagnosed) -> str:
+    """Return why no law was looked for where none is told; "" where one was."""
+    if found.final.problem.readings.rows.shape[1] > 1:
+        return " No law was looked for: of a distance between two poses either end may have moved; measure positions."
+    if found.spectrum is not None:
+        return " No law was looked for: an error of so many orders imitates any function of the pose."
+    return ""
 
 
 def _shape(found: Diagnosed, fundamental: Named) -> str:
