@@ -168,6 +168,13 @@ def test_a_wave_of_which_not_two_periods_were_seen_goes_on_straight(width: float
     np.testing.assert_allclose(moved, [at_end, at_zero, 2.5 * at_end], rtol=0.01)
 
 
+def test_a_wave_with_corners_goes_on_once_a_period_was_seen() -> None:
+    found = load_law("law joint = c1*Abs(Mod(time, c2) - c2/2)")
+    s, size = np.array([[11.0], [9.0]]), np.ones((1, 1))
+    np.testing.assert_allclose(found.value(s, size, (8.0, 0.0, 8.5))[:, 0], [1.0, 3.0])  # comes again after 8 s
+    np.testing.assert_allclose(found.value(s, size, (8.0, 0.0, 7.0))[:, 0], [6.5, 5.0], rtol=1e-6)
+
+
 def test_what_lags_follows_exactly_and_begins_anew_in_every_run() -> None:
     found = load_law("law joint = c1*Lag(torque, c2)")
     h, tau = np.array([3.0]), 7.0

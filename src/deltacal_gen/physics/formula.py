@@ -36,6 +36,7 @@ FUNCTIONS: dict[str, tuple[Callable[..., Any], int | None]] = {  # and how many 
     "floor": (np.floor, 1),
 }
 _WAVES = ("sin", "cos", "Mod")  # of their first argument
+_TWICE = 4 * np.pi  # of the argument of a smooth wave: two periods
 _ALIKE = ("Abs", "Max", "Min", "Mod", "floor")  # of the unit of what they are given
 _OPERATIONS: dict[type, Callable[..., Any]] = {
     ast.Add: np.add,
@@ -110,18 +111,19 @@ class Formula:
         calls = [n for n in ast.walk(self.tree) if isinstance(n, ast.Call) and _called(n) in _WAVES]
         return tuple((n.id, c) for c in calls for n in ast.walk(c.args[0]) if isinstance(n, ast.Name))
 
-    def periods(self, name: str, low: float, high: float, known: Mapping[str, Array | float]) -> float:
-        """Return through how many periods the longest of its waves goes between two values of a name; none: infinite.
+    def recurs(self, name: str, low: float, high: float, known: Mapping[str, Array | float]) -> bool:
+        """Tell whether all its waves of a name come again between two values of it; the others have values by name.
 
-        The others have values by name.
+        Two periods of a smooth wave: any bend is like a part of one. One of a wave with corners, which stand out.
         """
-        found = np.inf
         for own, wave in self.waves:
-            if own == name:
-                ends = [float(_value(wave.args[0], {**known, name: v})) for v in (low, high)]
-                period = 2 * np.pi if _called(wave) != "Mod" else float(_value(wave.args[1], known))
-                found = min(found, abs(ends[1] - ends[0]) / max(abs(period), 1e-300))
-        return found
+            if own != name:
+                continue
+            first, last = (float(_value(wave.args[0], {**known, name: v})) for v in (low, high))
+            sharp = _called(wave) == "Mod"
+            if not abs(last - first) >= (abs(float(_value(wave.args[1], known))) if sharp else _TWICE):
+                return False
+        return True
 
     @cached_property
     def linear(self) -> tuple[str, ...]:

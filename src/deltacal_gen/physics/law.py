@@ -5,7 +5,7 @@ It is fitted jointly with the geometry, kept in answers, predicted from and comp
 summands are its coefficients; those within (thresholds, scales, orders, time constants) are constants of the term, and
 so are the ends of each state where it was found. Beyond these a law goes on for half of what was seen, and by no more
 than it varied there, then it stays: an exponential or a square that fits within explodes outside. A wave goes on, but
-one of which not two periods were seen has never been seen to come again: that goes on straight.
+one that has not been seen to come again (two periods; one, where it has corners) goes on straight.
 """
 
 from __future__ import annotations
@@ -24,7 +24,6 @@ from deltacal_gen.states import State
 PREFIX = "law "
 ROUNDING = 1e-9  # of the width that was seen: less beyond it is none
 SEEN_AT = 1000  # points of the ranges of its states at which is seen by how much a law varies there
-PERIODS = 2.0  # that were seen of what is taken to recur
 STEP = 1e-3  # of the width that was seen: from where to its end a law is straight
 BEYOND = 0.5  # of the width that was seen: how far a law goes on beyond it
 LEAST, MOST = "least_", "most_"  # of a state, where the law was found
@@ -151,7 +150,7 @@ class Law:
         low, high = self.ends(constants)[k]
         values = dict(zip(self.inner, map(float, constants), strict=False))
         known = values | dict.fromkeys(self.STATE, 0.0)
-        return not np.isfinite(high - low) or self.formula.periods(state, float(low), float(high), known) >= PERIODS
+        return not np.isfinite(high - low) or self.formula.recurs(state, float(low), float(high), known)
 
     def _recurs(self, constants: Sequence[float | str]) -> list[bool]:
         """Return which states only waves ask for that were seen to recur: wherever they go, nothing new comes."""
