@@ -99,6 +99,7 @@ FUNCTIONS = {
     "physics/simulation.py:simulate": "noise of a measured rotation",
     "physics/splines.py:unit_noise": "the noise of a spline's derivative, by least squares",
     "planning/boards.py:looking": "from where a plan looks at a board: a tilt and a turn around it",
+    "planning/exciting.py:Excitation.__init__": "by how much a series may pass its samples (Ehlich and Zeller 1964)",
     "planning/exciting.py:Series.states": "a Fourier series in time, as a plan commands it (Swevers et al. 1997)",
     "use/comparison.py:_combinations": "two standard deviations together",
     "use/comparison.py:compare": "two standard deviations together",

@@ -16,12 +16,15 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+import deltacal_gen as dc
+from deltacal_gen.app.demonstration import example
 from deltacal_gen.errors import InputError
 from deltacal_gen.files.checks import check_units
 from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import robot_from_dict
 from deltacal_gen.files.writing import write_files, write_recording
 from deltacal_gen.machine.machine import GeometryKey
+from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.units import DEG
 
@@ -279,8 +282,7 @@ SIZED: Any = SimpleNamespace(**vars(DELTA) | {"geometry": (LENGTH,)})
         (1.0, 1e-3, "look like metres. Multiply by 1000"),
         (1.0, 1e3, "look like micrometres. Divide by 1000"),
         (DEG, 1.0, "the joints look like radians"),
-        (20.0, 1.0, "reads -800 deg, more than two full turns"),
-        (12.0, 1.0, ""),  # -480 deg: a wrist turns so far
+        (20.0, 1.0, "reads -800 deg, more than joints of this machine turn"),
     ],
 )
 def test_units_are_checked_against_the_machine(read: Any, q_scale: float, x_scale: float, said: str) -> None:
@@ -295,9 +297,18 @@ def test_units_are_checked_against_the_machine(read: Any, q_scale: float, x_scal
         return
     with pytest.raises(InputError, match=said):
         check_units(recording, robot, load=lambda name: SIZED)
-    if "turns" in said:
+    if "turn" in said:
         free = dataclasses.replace(robot, joint_limits=np.array([[-900.0, 900.0]] * 3) * DEG)
         check_units(recording, free, load=lambda name: SIZED)
+
+
+def test_a_wrist_turns_more_than_once() -> None:
+    robot = dc.read_robot(example("serial") / "robot.toml")
+    plain = dc.read_recording(example("serial") / "recording.csv", mechanism_of(robot))
+    for turns, far in ((1, False), (3, True)):
+        joints = plain.joints + 2 * np.pi * turns * (np.arange(6) == 5)
+        with pytest.raises(InputError, match="more than joints") if far else contextlib.nullcontext():
+            check_units(dataclasses.replace(plain, joints=joints), robot)
 
 
 # --- writing --------------------------------------------------------------------------------------------------------

@@ -26,7 +26,7 @@ from deltacal_gen.machine.registry import mechanism_of
 from tests.benchmarks.sitting import Entry, add_options, sit
 
 STEERING = {
-    "estimation.residuals": ("HUBER", "MOST_GROSS", "MOST_APART", "APART", "GROSS"),
+    "estimation.residuals": ("HUBER", "MOST_GROSS", "MOST_APART", "APART", "FEWEST_APART", "GROSS"),
     "estimation.turns": ("TURNED",),
     "estimation.directions": ("CHANCE", "FEWEST"),
     "estimation.series": ("LONGEST", "OWN_PRICE"),

@@ -26,7 +26,7 @@ _MOST_SPREAD = 20.0  # in machine sizes
 _MOST_MOTION = 5.0  # in machine sizes per rad of joint motion
 _MOST_PAYLOAD = 20.0  # in moving masses of the machine: parallel robots carry a few of them
 _HOME = 0.1  # of the spread of positions: further from zero the first row is not at the home
-_MOST_TURN = 720.0  # deg: wrists of arms turn 400 either way and more; an angle of the motor is larger still
+_TURN, _MOST_TURN = 360.0, 720.0  # deg: of limbs, and of arms, whose wrists turn 400 and more; beyond are motor angles
 _RADIANS = 1.6  # a column of degrees that stays within this may be in radians
 
 
@@ -40,13 +40,13 @@ def check_units(recording: Recording, robot: Robot, *, load: Callable[[str], Mac
     """
     q = recording.joints
     turning = np.array([unit == "rad" for unit in of_joints(recording.joint_unit, q.shape[1])])
-    most = np.full(len(turning), _MOST_TURN * DEG)
+    most = np.full(len(turning), (_MOST_TURN if robot.links else _TURN) * DEG)
     if robot.joint_limits is not None:
         most = np.maximum(most, np.nan_to_num(np.abs(robot.joint_limits).max(axis=1)))
     if (far := np.argwhere(turning & (np.abs(q) > most))).size:
         row, joint = far[0]
         raise InputError(
-            f"the joint reads {q[row, joint] / DEG:.6g} deg, more than two full turns either way.",
+            f"the joint reads {q[row, joint] / DEG:.6g} deg, more than joints of this machine turn either way.",
             "Give angles of the joint, after the gear, in degrees; or limits_deg of one that turns so far.",
             file=recording.path,
             line=int(recording.line[row]),

@@ -164,9 +164,8 @@ class Compensator:
         sits = [self.nominal.errors.get(name, 0.0) for name in self.robot.unsaid]
         if not any(sits):
             return None
-        frame = "the last frame" if self.robot.links else "{O'}"
-        place = f"({', '.join(f'{value:.3g}' for value in sits)}) mm in {frame}"
-        return f"targets are of the point that was measured, found at {place}: the robot file has no tool"
+        place = f"({', '.join(f'{value:.3g}' for value in sits)}) mm, as tool counts in a robot file"
+        return f"targets are of the point that was measured, found at {place}: this one has none"
 
     @cached_property
     def model(self) -> str:
