@@ -8,19 +8,24 @@ export OPENBLAS_NUM_THREADS := 1
 # containers often forbid byte code; the tests start some two hundred processes, and each would compile all modules
 export PYTHONDONTWRITEBYTECODE :=
 
-.PHONY: demo test test-all lint kernels bench proof clean
+.PHONY: demo test test-all checked derived lint kernels bench proof clean
 
 demo: .venv/run  ## find what is concealed in an embedded recording; page and picture in demo/
 	$(BIN)/deltacal demo
 
 # files in the order of their names: by the number of their tests few, long ones would come last
-test: .venv/dev lint  ## lint, types, import rules, kernels, tests
-	$(BIN)/deltacal kernels --check
+test: checked  ## lint, types, import rules, kernels, tests
 	$(BIN)/python -m pytest -n $(WORKERS) --dist loadfile --no-loadscope-reorder
 
-test-all: .venv/dev lint  ## the same, and what takes minutes
-	$(BIN)/deltacal kernels --check
+test-all: checked  ## the same, and what takes minutes
 	$(BIN)/python -m pytest -n $(WORKERS) -m ""
+
+# types and kernels take half a minute each, of one core
+checked: .venv/dev
+	$(MAKE) --jobs 2 lint derived
+
+derived: .venv/dev
+	$(BIN)/deltacal kernels --check
 
 lint: .venv/dev
 	$(BIN)/ruff check .
