@@ -323,7 +323,7 @@ class Search:
         every = self._forms(found.term.effect)
         free = np.array([key(t) not in self.effects for t in every])
         G, b = self.gram(found.term.effect), self._reach[self._span(found.term.effect)].reshape(len(every), -1)
-        hopes: list[tuple[float, list[Term], int]] = []
+        tried: list[Found] = []
         for limbs in dict.fromkeys([found.term.limbs, *((i,) for i in every[0].limbs)]):
             waves = [on_limbs(t, limbs) for t in every]
             own = places(every[0], waves[0])
@@ -336,13 +336,7 @@ class Search:
             most = holds @ gains(G[:, own][:, :, own], b[:, own])
             few = count * waves[0].n_coefficients <= FEW * self.readings
             for s in np.flatnonzero(few & (most > prices + max(found.score, 0.0) + MARGIN)):
-                own_waves = [waves[k] for k in np.flatnonzero(holds[s])]
-                hopes.append((float(most[s] - prices[s]), own_waves, len(holds)))
-        tried: list[Found] = []
-        for hope, together, forms in sorted(hopes, key=lambda h: -h[0]):
-            if tried and hope < max(f.score for f in tried) - MARGIN:
-                break
-            tried.append(self._together(together, forms))
+                tried.append(self._together([waves[k] for k in np.flatnonzero(holds[s])], len(holds)))
         best = max(tried, key=lambda f: f.score, default=None)
         if best is None or best.score < found.score + MARGIN or best.score < self._once(best) + MARGIN:
             return found
