@@ -169,8 +169,8 @@ def result_of(found: Diagnosed) -> Diagnosis:
 def _numbers(found: Diagnosed) -> tuple[int, ...] | None:
     """Return the numbers of the poses, by which events are placed in other rows of the series; None for no event."""
     final, numbers = found.final, found.final.problem.recording.numbers
-    happened = any(t != t.afterwards() for t in final.problem.acting(final.errors))
-    return tuple(numbers.tolist()) if happened and numbers is not None else None
+    happens = any(t.happens for t in final.problem.acting(final.errors))
+    return tuple(numbers.tolist()) if happens and numbers is not None else None
 
 
 def _doubts(found: Diagnosed) -> list[str]:

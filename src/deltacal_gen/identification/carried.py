@@ -44,7 +44,7 @@ def usable(problem: Problem, held: Sequence[Term]) -> tuple[tuple[Term, ...], tu
     can, cannot = [], []
     for term in held:
         why = problem.body.missing(term.effect)
-        if of_reading([term]) and term.kernels.AFTERWARDS and term == term.afterwards():
+        if of_reading([term]) and term.kernels.AFTERWARDS and not term.happens:
             cannot.append(Missing(name=term.effect, missing="that session: it happened once, and is past"))
         elif why is None:
             can.append(term)

@@ -203,6 +203,11 @@ class Term:
         constants = tuple(past.get(key, value) for key, value in zip(names, self.constants, strict=True))
         return dataclasses.replace(self, constants=constants)
 
+    @property
+    def happens(self) -> bool:
+        """Whether it happens at a moment that readings may stand before; what is past does not."""
+        return self.constants != self.afterwards().constants
+
     def counted(self, anew: Callable[[float], float]) -> Term:
         """Return the effect with the moments at which it happens once counted anew, as on another clock."""
         once, names = self.kernels.AFTERWARDS, [key for key, *_ in self.kernels.CONSTANTS]

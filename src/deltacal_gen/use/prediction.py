@@ -82,7 +82,7 @@ def known_effects(result: Known, recording: Recording | None = None) -> list[Ter
 
 def _events(result: Known) -> list[str]:
     held = (term_of(t) for t in result.physics or ())
-    return list(dict.fromkeys(t.effect for t in held if t != t.afterwards()))
+    return list(dict.fromkeys(t.effect for t in held if t.happens))
 
 
 def _rows_among(result: Known, recording: Recording) -> Array | None:
