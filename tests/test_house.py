@@ -1,8 +1,8 @@
 """How large rooms may be, and that no way leads from one through others back to it.
 
 No module above 600 lines, no function above 60, its docstring not counted. Imports inside functions, which save time at
-the start, and those for type checkers alone are ways like others. No line is above 120 characters, in Python and in
-what is written as kernels; pages break where their paragraphs do.
+the start, and those for type checkers alone are ways like others. No line is above 120 characters, in Python, in
+what is written as kernels, and in what pages are made of.
 """
 
 from __future__ import annotations
@@ -18,14 +18,14 @@ from tests.benchmarks.lines import functions
 ROOT = Path(__file__).resolve().parents[1]
 PARTS = ("src/deltacal_gen", "derive", "tests")
 MODULE, FUNCTION, LINE = 600, 60, 120
+WRITTEN = ("*.py", "*.jinja", "*.css", "*.js")
 PACKAGE = "src/deltacal_gen"
 SWITCHED_OFF = re.compile(r"#\s*(fmt|yapf|isort|ruff):\s*(off|skip|disable)\b")
 
 
 def lines() -> Iterator[tuple[str, str]]:
-    """Yield where each line of code stands, templates of kernels among it, and its text."""
-    python = (path for part in PARTS for path in (ROOT / part).rglob("*.py"))
-    for path in (*python, *(ROOT / "templates").rglob("*.jinja")):
+    """Yield where each line of code stands, templates and styles among it, and its text."""
+    for path in (path for part in (*PARTS, "templates") for kind in WRITTEN for path in (ROOT / part).rglob(kind)):
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1):
             yield f"{path.relative_to(ROOT).as_posix()}:{number}", line
 

@@ -3,7 +3,8 @@
 
 const field = document.getElementById("search");
 const buttons = [...document.querySelectorAll("button[data-status]")];
-const claims = [...document.querySelectorAll("article.claim")].map((element) => ({ element, text: element.textContent }));
+const articles = [...document.querySelectorAll("article.claim")];
+const claims = articles.map((element) => ({ element, text: element.textContent }));
 
 function show() {
   const words = field.value.split(/\s+/).filter(Boolean);
