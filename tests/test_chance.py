@@ -111,6 +111,16 @@ def test_joints_that_were_rounded_move_readings_along_joints_by_chance_too(
     assert p > 5 * Chance(coarse, np.random.default_rng(1)).p_value
 
 
+def test_what_stands_apart_stays_where_it_was_read() -> None:
+    search = looked_at(null("gross", 10))
+    apart = search.beside.fit.weights[search.beside.owner] < 1
+    assert 0 < apart.sum() < 10
+    drawn = np.abs(chance._drawn(search, np.random.default_rng(1)))
+    largest = np.argmax(drawn[:, 0])
+    assert apart[largest]
+    assert (drawn[largest, 1:] > 3).all()
+
+
 def test_joints_that_were_commanded_in_steps_leave_no_rounding(coarse: Search) -> None:
     step = 0.05  # deg
     joints = np.degrees(record(ROBOT, n=100, sigma=0.0).joints)

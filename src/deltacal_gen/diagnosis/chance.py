@@ -1,11 +1,11 @@
 """What noise alone would let the best of all forms of all effects earn: the p-value of a search, and of what it found.
 
 The forms that compete are thousands, and alike; no count of them says how large the largest gain is by chance. It is
-therefore drawn: the residuals of the fit, freed of their leverage, change places and signs, are put through the same
-projection as the readings, and the search looks at each draw as it looked at them (Freedman and Lane 1983, J. Bus.
-Econ. Stat. 1, 292-298). Gains count in units of each draw's own noise, so that an effect in the residuals takes nothing
-off itself. Where joints were rounded, so are those of the draws. Beyond the draws the largest gain falls off as a sum
-of squares does, exponentially.
+therefore drawn: the residuals of the fit, freed of their leverage, change places and signs (of readings that stand
+apart the signs alone), are put through the same projection as the readings, and the search looks at each draw as it
+looked at them (Freedman and Lane 1983, J. Bus. Econ. Stat. 1, 292-298). Gains count in units of each draw's own noise,
+so that an effect in the residuals takes nothing off itself. Where joints were rounded, so are those of the draws.
+Beyond the draws the largest gain falls off as a sum of squares does, exponentially.
 """
 
 from __future__ import annotations
@@ -78,7 +78,9 @@ def _drawn(search: Search, rng: np.random.Generator) -> Array:
     leverage = np.minimum((Q**2).sum(axis=1), MOST_LEVERAGE)
     own = r / np.sqrt(1 - leverage)
     signs = rng.choice([-1.0, 1.0], (len(r), DRAWS))
-    noise = signs * rng.permuted(np.tile(own[:, None], DRAWS), axis=0)
+    noise, whole = np.tile(own[:, None], DRAWS), search.beside.fit.weights[search.beside.owner] >= 1
+    noise[whole] = rng.permuted(noise[whole], axis=0)  # what counts for less bends the search where it stands
+    noise *= signs
     if (steps := _steps(search, own)) is not None:
         rest = max(1 - float((steps**2).sum()) / 12 / float(own @ own), 0.0)
         within = rng.uniform(-0.5, 0.5, (search.beside.owner[-1] + 1, steps.shape[1], DRAWS))
