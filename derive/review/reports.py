@@ -117,7 +117,7 @@ def _short(found: Mapping[str, Any], used: Sequence[Kernel]) -> list[dict[str, s
         says = f"{as_printed} of {len(equations)} entries on numbered equations hold as printed"
         says += f"; corrected: {', '.join(c['where'] for c in wrong)}" if wrong else ""
         others = len(equations) - as_printed - len(wrong)
-        says += f"; left to a convention or undecided: {others}" if others else ""
+        says += f"; worded loosely, left to a convention or undecided: {others}" if others else ""
         rest = claims["others"]
         no = sum(c["status"] == "contradicted" for c in rest)
         lines.append(("Paper", "paper", f"{says}; contradicted of {len(rest)} other statements: {no}."))

@@ -74,6 +74,20 @@ def test_eqs_25_and_26() -> None:
     assert B_r @ p_r + np.einsum("nij,nj->ni", B_m, q) == pytest.approx(0.0, abs=1e-12)
 
 
+def test_only_eq_23_brings_the_point_back() -> None:
+    """Eq. (22) takes any Delta q_m and answers with a displacement; none is left for that of eq. (23) alone."""
+    rng = np.random.default_rng(4)
+    A_rr, _, _, B_r, _, B_m = bai.matrices(bai.scattered(20, rng))
+    effect = B_r @ bai.vector(bai.entries(bai.TABLE_3))[:24]
+    assert np.linalg.svd(A_rr, compute_uv=False).min() > 0.1  # so the right side vanishes where Delta r does
+    answer = -np.linalg.solve(B_m, effect[..., None])[..., 0]
+    for q, least, most in ((answer, 0.0, 1e-12), (answer + rng.choice([-0.1, 0.1], (20, 3)), 0.02, 1.0)):
+        moved = np.linalg.solve(A_rr, (effect + np.einsum("nij,nj->ni", B_m, q))[..., None])
+        size = np.linalg.norm(moved, axis=1)
+        assert least <= size.min()
+        assert size.max() < most
+
+
 def test_sizes_of_section_4_2() -> None:
     """What the offsets and what the other errors of Table 3 move the point by."""
     r = bai.check_poses()
@@ -99,6 +113,13 @@ def test_table_1() -> None:
     assert np.isfinite(q).all()
     assert (q.min(), q.max()) == pytest.approx((-78.0, 36.1), abs=0.5)
     assert bai.forward(np.radians(q)) == pytest.approx(r, abs=1e-9)
+
+
+def test_where_the_workspace_is_drawn() -> None:
+    """The captions: that of the figure cited for H, R and h tells of a limb, that of Fig. 4 of poses."""
+    captions = {2: "Schematic diagram of a limb in the Delta robot", 4: "Measurement pose selection"}
+    assert not {"workspace", "pose"} & set(captions[2].lower().split())
+    assert "pose" in captions[4]
 
 
 def test_counts_of_section_5() -> None:

@@ -146,6 +146,13 @@ def test_three_poses_off_a_line_do_not_suffice() -> None:
     assert signs == {-1.0, 1.0}
 
 
+def test_three_distances_find_the_offsets_and_no_more() -> None:
+    """Three poses off a line identify Delta p_theta, of three entries; of the 18 of Delta p_r they see three."""
+    r = bai.scattered(3, np.random.default_rng(3))
+    assert bai.rank(bai.H(r, bai.OFFSETS)) == 3
+    assert bai.rank(bai.H(r, bai.MODEL_18)) == 3 < len(bai.MODEL_18)
+
+
 def test_eq_18() -> None:
     """Twelve entries per limb: one or the other of e_x and e_y, five more of Delta p_r, six of Delta p_e."""
     for i, free in ((1, "ey"), (2, "ex"), (3, "ex")):

@@ -61,6 +61,14 @@ def test_eq_1(j: int) -> None:
     assert is_zero(closure(j).diff(t).subs(t, 0) - (dr - equation_1(j)))
 
 
+def test_classes_of_the_cited_calibrations() -> None:
+    """Section 1 by the numbers it cites: what is distance-based is external, and what is external is not autonomous."""
+    external, autonomous = set(range(5, 10)), set(range(10, 14))
+    coordinates, distances = {5, 7}, {9, 10}
+    assert coordinates <= external
+    assert distances - external == distances & autonomous == {10}
+
+
 def test_eq_2() -> None:
     # the frame as the text builds it: Rot(z, phi) Rot(x, pi/2)
     assert is_zero(sp.rot_ccw_axis3(phi) * sp.rot_ccw_axis1(sp.pi / 2) - R0)

@@ -119,6 +119,27 @@ def test_eq_29() -> None:
     assert np.degrees(abs(truncated[0] - reduced[0]) / mei.L) > 0.1
 
 
+def test_unknowns_of_eq_28_are_one_column() -> None:
+    """(dq dr_M)^T as printed is two by two; G has four columns, and takes the two stacked, as in (21)."""
+    offsets, mounting, G = mei.L * np.radians([2.0, -1.0]), mei.MOUNTED, mei.identification_matrix(SIX)
+    assert np.column_stack([offsets, mounting]).T.shape == (2, 2)
+    assert G.shape[1] == len(np.concatenate([offsets, mounting])) == 4
+    seen = np.diff(
+        lengths(SIX, mei.Robot(zero=np.radians([2e-4, -1e-4])), 1e-4 * mounting)
+        - lengths(SIX, mei.NOMINAL, 0 * mounting)
+    )
+    assert np.allclose(G @ np.concatenate([1e-4 * offsets, 1e-4 * mounting]), seen, atol=1e-7)
+
+
+def test_order_of_the_differences() -> None:
+    """Differences k less k + 1 with the matrix of (23), k + 1 less k, give the offsets with the other sign."""
+    gap = np.diff(lengths(SIX, mei.group(4), mei.MOUNTED) - lengths(SIX, mei.NOMINAL, np.zeros(2)))
+    G = mei.identification_matrix(SIX)
+    right, turned = (np.degrees(np.linalg.lstsq(G, s * gap, rcond=None)[0][:2] / mei.L) for s in (1, -1))
+    assert right == pytest.approx([2.0, -1.0], abs=0.2)  # one step of the iteration
+    assert turned == pytest.approx([-2.0, 1.0], abs=0.2)
+
+
 def test_neglected_geometry_costs_little() -> None:
     """Neglecting 0.03 mm of geometry leaves 0.007 deg, 0.09 mm at home; a tenth of it leaves a tenth."""
     for number, angle, home in ((1, 0.00696, 0.0912), (4, 0.000697, 0.00912)):
@@ -174,6 +195,17 @@ def test_condition_numbers_of_fig_8() -> None:
     assert condition(mei.identification_matrix(SIX, shift=mei.MOUNTED)) == pytest.approx(478.38, abs=5e-3)
     second = [noise_free(number).condition[0, 1] for number in GROUPS]
     assert np.allclose(second, [472.53, 472.34, 472.35, 472.54, 472.36, 472.37], atol=0.01)
+
+
+def test_the_same_mechanism_error_in_every_round() -> None:
+    """By (30), with its sign set right, f moves in every round by what the last one found, and the first counts."""
+    found = [condition(mei.identification_matrix(SIX, shift=-rounds * mei.MOUNTED)) for rounds in range(5)]
+    assert np.allclose(found, [475.34, 472.35, 469.39, 466.48, 463.60], atol=0.01)
+    done = noise_free(4)
+    change = np.diff(done.mechanism[0], axis=0)
+    assert np.linalg.norm(done.mechanism[0, 0] - mei.MOUNTED) < 0.4  # the first round finds most of it
+    assert np.linalg.norm(change[2:], axis=1).max() < 1e-3  # and the later ones what it missed
+    assert condition(mei.identification_matrix(SIX, shift=-done.mechanism[0, -1])) == pytest.approx(found[1], abs=0.01)
 
 
 def test_condition_number_over_n() -> None:

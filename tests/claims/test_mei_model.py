@@ -96,6 +96,15 @@ def eliminated() -> dict[str, sp.Expr]:
     return {"y": y, "left": left, "N": N, "Q": Q, "R": R}
 
 
+def test_which_norm_gives_the_inverse_solution() -> None:
+    """The norm of both sides of (1) as it stands keeps phi_i; that of l_i w_i = r - e_i - L_i u_i has lost it."""
+    s, angle = limb(), sp.Symbol("varphi", real=True)
+    elbow = sp.Matrix([s["ex"] + s["L"] * sp.cos(s["theta"]), s["ey"] + s["L"] * sp.sin(s["theta"])])
+    distal = s["l"] * sp.Matrix([sp.cos(angle), sp.sin(angle)])
+    assert sp.simplify((elbow + distal).dot(elbow + distal).diff(angle)) != 0
+    assert sp.simplify(distal.dot(distal) - s["l"] ** 2) == 0  # what is left is the closure, and eq. (3) solves that
+
+
 def test_eq_6() -> None:
     b1, b2, l1, l2 = elbows()
     x, y = sp.symbols("x y", real=True)

@@ -181,6 +181,12 @@ def test_cited_figures(cited: int, meant: int, subject: str) -> None:
     assert subject in CAPTIONS[meant]
 
 
+def test_references() -> None:
+    """Every number that the text cites is listed but the last."""
+    cited, listed = set(range(1, 20)), set(range(1, 19))
+    assert cited - listed == {19}
+
+
 def test_table_2_has_errors_on_six_parameters() -> None:
     assert [name for name, value in zip(PLANAR, ERRORS, strict=True) if value == 0] == ["a2x", "b1x", "b2y"]
     base = {"a2x": ERRORS[2] - ERRORS[5], "a2y": ERRORS[3] - ERRORS[6], "b1x": ERRORS[4] - ERRORS[1]}

@@ -349,6 +349,8 @@ def test_eq_27_and_28(errors: np.ndarray, base_only: bool) -> None:
         assert remaining[0] / remaining[1] == pytest.approx(4, rel=0.3)
     else:
         assert max(remaining) < 1e-6
+    unmended = DELTA.forward(DELTA.inverse(x), errors, np.concatenate([x, np.zeros(3)]))[:3] - x
+    assert np.linalg.norm(unmended) > 10 * remaining[0]  # k_C^b without a hat, the nominal values of (28)
 
 
 def test_eq_29() -> None:

@@ -99,6 +99,9 @@ def test_eq_41() -> None:
     assert planar_pose(0.1, k, 100.0)[0] != pytest.approx(planar_pose(0.2, k, 100.0)[0])
     shifted = k + np.array([0.1, *np.zeros(8)])
     assert planar_pose(0.1, shifted, 100.0)[0] == pytest.approx(planar_pose(0.2, k, 100.0)[0])
+    # and k_C cannot hold q: eqs. (27) and (53) find q from x and k_C, another one for every x of the same machine
+    for at in (0.1, 0.2):
+        assert float(planar_inverse(planar_pose(at, k, 100.0)[0], k, 100.0)) == pytest.approx(at, abs=1e-9)
 
 
 def test_eq_42_and_43() -> None:
@@ -204,6 +207,24 @@ def test_gamma_p_is_an_angle_of_the_platform() -> None:
         seen.append(np.arctan2(hand[1], hand[0]))
         assert seen[-1] == pytest.approx(values[alpha] + values[gamma_p], abs=1e-9)
     assert abs(seen[0] - seen[1]) > 1e-3
+
+
+def test_alpha_is_counted_from_the_base() -> None:
+    """Eq. (44) wants the angle between x_b and x_p; from x_p itself it would be 0 whatever the platform does."""
+    sine = (E + F * sp.cos(alpha) + G * sp.sin(alpha)).subs(LETTERS)
+    for at in (-0.5, 0.3):
+        values = solved(at)
+        assert float(sine.subs(values)) == pytest.approx(float(sp.sin(values[phi])), abs=1e-9)
+        assert abs(float(sine.subs({**values, alpha: 0})) - float(sp.sin(values[phi]))) > 5e-4
+
+
+def test_axes_lie_on_lines_and_point_away() -> None:
+    """x_b lies on the line O_bA1 and points from A1 to O_b, x_p from B1 to O_p: a1x and b1x of Table 2 are positive."""
+    assert (NOMINAL[1], NOMINAL[4]) == (125.0, 125.0)
+    here = planar_pose(0.3, NOMINAL, 0.0)[0]
+    for column, moved in ((1, -1.0), (4, 1.0)):  # A1 goes to -x_b and C with it; B1 to -x_p, so C to +x_p
+        there = planar_pose(0.3, NOMINAL + np.eye(9)[column], 0.0)[0]
+        assert there - here == pytest.approx(moved, abs=0.01)
 
 
 def test_eq_52() -> None:

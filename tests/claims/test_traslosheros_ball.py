@@ -149,6 +149,23 @@ def test_eq_19() -> None:
         assert off_cone(printed_ellipse(image, spin, TURN), centre) < 1e-9
 
 
+def test_eq_19_holds_for_any_angle() -> None:
+    """The ellipse of (19) has the same axes however it is turned: which turn is the image's, only (20) says."""
+    image = own.ellipse(BALLS[0])
+    for spin in (0.0, 0.4, 1.3):
+        away = np.linalg.norm(printed_ellipse(image, spin, np.linspace(0, 2 * np.pi, 361)) - image.centre, axis=1)
+        assert (away.min(), away.max()) == pytest.approx((image.minor, image.major))
+
+
+def test_a_e_and_b_e_are_semi_axes() -> None:
+    """(19) is as wide as 2 a_e along the major axis, and (21) equates its term to half a chord."""
+    for centre in BALLS:
+        image = own.ellipse(centre)
+        spin = np.arctan2(-image.direction[0], image.direction[1])
+        points = printed_ellipse(image, spin, np.linspace(0, 2 * np.pi, 361))
+        assert np.ptp(points @ image.direction) / image.major == pytest.approx(2.0)
+
+
 def test_eq_20() -> None:
     for centre in BALLS:
         image = own.ellipse(centre)

@@ -161,12 +161,48 @@ def test_identifiable_parameters() -> None:
     assert condition(column_scaled(J)) == pytest.approx(147, abs=1)
 
 
+def test_joints_alone_identify_nothing() -> None:
+    """Without camera and ball every pose brings three equations and three unknown coordinates: nothing is left."""
+    joints, shift = own.increments(TRUE, POINTS[:20])
+    J = own.observation(TRUE, joints, shift).reshape(3, 20, 15).transpose(1, 0, 2)
+    by_position = J[:, :, 12:]  # of each pose's own Gamma by its own position
+    assert all(np.linalg.matrix_rank(rows) == 3 for rows in by_position)
+    unknown = np.zeros((20, 3, 20, 3))
+    for k in range(20):
+        unknown[k, :, k] = by_position[k]
+    both = np.hstack([J.reshape(60, 15), unknown.reshape(60, 60)])
+    assert np.linalg.matrix_rank(column_scaled(both)) == 60  # of 15 + 60 unknowns: all of it goes into the positions
+    assert np.linalg.matrix_rank(column_scaled(J.reshape(60, 15))) == 15  # with the camera
+
+
+def test_increments_are_not_the_angles() -> None:
+    """theta_ik of (3) in the place of Theta_ik counts the home twice: equation (4) misses by far."""
+    joints, shift = own.increments(TRUE, POINTS)
+    assert np.abs(own.closure(TRUE, TRUE.theta0 + joints, TRUE.p0 + shift)).max() < 1e-6
+    angles = TRUE.theta0 + joints
+    assert np.abs(own.closure(TRUE, TRUE.theta0 + angles, TRUE.p0 + shift)).mean() > 1000
+
+
+def test_the_iteration_is_gauss_newtons() -> None:
+    """J is square for five poses only; for 300 equation (8) is least squares, whose residual noise keeps from zero."""
+    shapes = [own.observation(TRUE, *own.increments(TRUE, POINTS[:n])).shape for n in (5, 300)]
+    assert shapes == [(15, 15), (900, 15)]
+    joints, shift = own.increments(TRUE, POINTS)
+    noisy = shift + NOISE * np.random.default_rng(2).normal(size=shift.shape)
+    found, history = own.gauss_newton(NOMINAL, joints, noisy)
+    assert history[-1] > 1  # [mm^2]: no root for Newton and Raphson to find
+    F = own.closure(found, found.theta0 + joints, found.p0 + noisy).T.ravel()
+    J = column_scaled(own.observation(found, joints, noisy))
+    assert np.abs(J.T @ F).max() < 1e-6 * np.linalg.norm(F)  # but the least sum of squares
+
+
 def test_H_is_not_identifiable_beside_h() -> None:
     assert sp.simplify(sp.diff(gamma(), H) + sp.diff(gamma(), h)) == 0
     J = own.observation(TRUE, *own.increments(TRUE, POINTS), extra=True)
     with_H = J[:, [*range(15), 18, 19, 20]]
     assert np.linalg.matrix_rank(column_scaled(with_H), 1e-10) == 15
-    assert np.linalg.norm(J[:, 18]) > 1000  # it does act on the model: the column is not zero
+    assert J.shape[1] == 21
+    assert np.linalg.norm(J, axis=0).min() > 1000  # all of them act on the model, H as well: no column is zero
 
 
 def weighted_deviation(J: np.ndarray) -> np.ndarray:

@@ -57,6 +57,15 @@ def test_depth_is_worse_than_the_image_plane() -> None:
         assert table[2, 0] > 2 * table[:2, 0].max()
 
 
+def test_whose_method_calibrates_a_camera() -> None:
+    """Titles of the two references, one letter apart: of a camera's calibration speaks the other one."""
+    titles = {
+        32: "Hand-eye calibration and positioning for a robot drilling system",
+        33: "A flexible new technique for camera calibration",
+    }
+    assert ["camera calibration" in titles[n] for n in (32, 33)] == [False, True]
+
+
 def test_resolution_of_the_camera() -> None:
     f_px = 200 / 0.4
     assert f_px == 500
