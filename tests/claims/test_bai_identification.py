@@ -214,6 +214,15 @@ def test_eq_19(relation: int) -> None:
         assert is_zero(second.subs(found).subs(at))
 
 
+def test_no_entry_depends_on_those_of_h_r_alone() -> None:
+    """Each of the nine entries adds a rank to the 24 of h_r: the relations (19) need others of h_e on their left."""
+    r = bai.scattered(24, np.random.default_rng(7))
+    for name in (f"{n}_{i}" for n in ("alpha03", "beta03", "alpha2") for i in (1, 2, 3)):
+        assert bai.rank(bai.H(r, (*bai.MODEL_24, name))) == 19 == bai.rank(bai.H(r, bai.MODEL_24)) + 1
+    nine = tuple(f"{n}_{i}" for n in ("alpha03", "beta03", "alpha2") for i in (1, 2, 3))
+    assert bai.rank(bai.H(r, (*bai.MODEL_24, *nine))) == 18 + 9 - 4
+
+
 def test_eq_19_in_numbers() -> None:
     """The printed relations among entries of H, for a reference point off the centre; the other sign fails."""
     numbers = {L: bai.L, a: bai.a, e: bai.b - bai.a}

@@ -80,6 +80,16 @@ def test_tangent_points_are_closer_than_a_diameter() -> None:
         assert expected < 2 * BALL
 
 
+def test_lines_of_sight_leave_the_plane_of_the_tangent_points() -> None:
+    """Y = Y_B does not hold the optical centre; in X_c-Z_c lie the lines' projections, and (11) is of these."""
+    for centre in BALLS:
+        for P in tangent_points(centre):
+            assert P[1] == pytest.approx(centre[1])
+            assert abs(P[1] / 2 - centre[1]) > 10  # half way to the camera
+            flat, at = P[[0, 2]] / np.hypot(P[0], P[2]), centre[[0, 2]]
+            assert abs(flat[0] * at[1] - flat[1] * at[0]) == pytest.approx(BALL)
+
+
 def test_the_ellipse_is_not_centred_on_the_ball() -> None:
     centre = BALLS[0]
     away = own.ellipse(centre).centre * centre[2] - centre[:2]
