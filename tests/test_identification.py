@@ -333,6 +333,21 @@ def test_folds_keep_repeats_together_and_use_every_reading_once(robot: Robot, ei
     assert (used == 1).all()
 
 
+def test_points_that_are_read_at_one_pose_are_held_out_together(robot: Robot, eighteen: dict[str, float]) -> None:
+    poses = poses_of(robot)[:12]
+    tool = np.tile([[0.0, 0.0, -60.0], [80.0, 0.0, -60.0], [0.0, 80.0, -60.0]], (len(poses), 1))
+    names = [f"P{j // 3}" for j in range(len(tool))]
+    at = np.repeat(poses, 3, axis=0) + tool - tool[0]  # the platform stands still
+    recording = simulate(robot, wanted(at, tool=tool, pose=names), eighteen)
+    found = identify(robot, recording, "3").fit.problem.readings
+    stood = np.arange(len(tool)) // 3
+    assert len(np.unique(found.group)) == len(tool)  # no point is a repeat of another
+    for train, test in folds(found, recording):
+        assert not set(stood[train]) & set(stood[test])
+    few = recording.subset(np.arange(6))  # two poses: points are all there is to part
+    assert len(folds(found.subset(np.arange(6)), few)) == 5
+
+
 def test_distances_made_of_positions_are_held_out_by_pose(robot: Robot, eighteen: dict[str, float]) -> None:
     recording = noisy(robot, eighteen)
     found = identify(robot, recording, "3", as_distance=True).fit.problem.readings

@@ -182,7 +182,7 @@ CELL, NO_ROW = ROWS[0], csv()
         (csv(CELL, "b,10,20,30"), 3, None, "the row has 4 cells, the header 7"),
         (csv(CELL, "b,10,20,30,1,2,3,4"), 3, None, "Decimals need a point, not a comma"),
         (csv("b,10,20,30,,,"), None, None, "no row holds a reading"),
-        (csv(CELL, "a,10,20.1,30,1,2,3"), 3, "pose", "pose 'a' has other joints or another tool point than in line 2"),
+        (csv(CELL, "a,10,20.1,30,1,2,3"), 3, "pose", "pose 'a' has other joints than in line 2"),
         (csv("1,2,3,4,5", header="q1_deg,q2_deg,q2_deg,x_mm,y_mm"), 1, "q2_deg", "stands over columns 2 and 3"),
         (csv("1,2,3,4", header=JOINTS + ","), 1, None, "column 4 has no name"),
         (csv("1,2,3", header=JOINTS), 1, None, "no column holds a measured quantity"),

@@ -23,7 +23,7 @@ from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.residuals import lengths, rms, robust_sigma, robust_weights
 from deltacal_gen.estimation.solvers import Prior, jitter
-from deltacal_gen.identification.folds import folds
+from deltacal_gen.identification.folds import folds, stands
 from deltacal_gen.identification.together import rows_alone
 from deltacal_gen.instrument.kind import Instrument
 from deltacal_gen.machine.registry import Array
@@ -261,7 +261,8 @@ def borne_out_beside(at: Fit, left: Sequence[Structure]) -> BorneOut | None:
         corrected[test] = _predicted(at, linear, linear.best(options, {k}), k, train, test, without[test])
     without[linear.weights == 0] = corrected[linear.weights == 0] = np.nan
     made = BorneOut(at, linear, option, without, corrected)
-    _, some, pose = np.unique(found.group, return_index=True, return_inverse=True)  # not every pose was read
+    poses = stands(found, at.problem.recording)
+    _, some, pose = np.unique(poses, return_index=True, return_inverse=True)  # not every pose was read
     order = np.argsort(found.line[some], kind="stable")
     squares = (np.nansum(lengths(errors, found.kind) ** 2, axis=1) for errors in (without, corrected))
     before, after = (np.bincount(pose, each).astype(float)[order] for each in squares)

@@ -23,6 +23,7 @@ from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.residuals import lengths, rms
 from deltacal_gen.estimation.solvers import jitter
+from deltacal_gen.identification.folds import stands
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.terms import Term, effect_names, load_effect
 from deltacal_gen.results.diagnosis import Seen
@@ -138,8 +139,8 @@ def periodic(at: Fit, parts: Sequence[tuple[np.ndarray, np.ndarray]], known: Spe
         return None
     before, after = linear.held_out(None), linear.held_out(found)
     before, after = (lengths(errors, problem.readings.kind) for errors in (before, after))
-    better = np.bincount(problem.readings.group, np.nansum(before**2 - after**2, axis=1))
-    better = better[np.bincount(problem.readings.group) > 0]
+    pose = stands(problem.readings, problem.recording)
+    better = np.bincount(pose, np.nansum(before**2 - after**2, axis=1))[np.bincount(pose) > 0]
     if better.sum() <= PROVEN * float(np.std(better)) * np.sqrt(len(better)):
         return None
     values, size, std, standing = linear.solved(found)

@@ -115,17 +115,15 @@ def set_aside(recording: Recording, robot: Robot) -> Recording:
 
 
 def check_repeats(recording: Recording, rows: Rows) -> None:
-    """Rows of one pose have the same joints and the same tool point."""
-    points = recording.joints if recording.targets is None else recording.targets
-    if recording.tool is not None:
-        points = np.hstack([points, np.nan_to_num(recording.tool)])
+    """Rows of one pose have the same joints; which point of the machine was measured there may differ."""
+    stands = recording.joints if recording.targets is None else recording.targets
     first: dict[str, int] = {}
     for row, label in enumerate(recording.pose.tolist()):
         other = first.setdefault(label, row)
-        if other != row and np.abs(points[row] - points[other]).max() > _SAME_JOINT:
+        if other != row and np.abs(stands[row] - stands[other]).max() > _SAME_JOINT:
             raise rows.error(
-                f"pose '{label}' has other joints or another tool point than in line {rows.line[other]}.",
-                "Give every pose a label of its own; only repeats share one.",
+                f"pose '{label}' has other joints than in line {rows.line[other]}.",
+                "Give every pose a label of its own; only repeats, and points measured at one pose, share one.",
                 row=row,
                 column="pose",
             )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from deltacal_gen.instrument.kind import Readings
-from deltacal_gen.machine.values import Recording
+from deltacal_gen.machine.values import Recording, numbered
 from deltacal_gen.physics.motion import at_rate, runs_of
 
 FOLDS = 5
@@ -22,7 +22,8 @@ def folds(
 ) -> list[tuple[np.ndarray, np.ndarray]]:
     """Return (train, test) masks of readings; repeats of a pose, or of a pair of poses, stay together.
 
-    So do neighbours whose noise hangs together over `rows`: readings of one error say nothing of one another.
+    So do several points that were read where the machine stood, and neighbours whose noise hangs together over `rows`:
+    readings of one error say nothing of one another.
 
     Distances made of positions are split by pose: a distance counts where both its poses are in the same part.
     """
@@ -32,7 +33,7 @@ def folds(
         ends = pose[found.rows]
         part = _parts(int(pose.max()) + 1, count, rng)[ends]
         return [((part != k).all(axis=1), (part == k).all(axis=1)) for k in range(count)]
-    group = found.group if not at_rate(recording) else _stretches(found, recording)
+    group = stands(found, recording) if not at_rate(recording) else _stretches(found, recording)
     group = np.unique(group, return_inverse=True)[1]  # of poses that were not read there is no group
     groups = int(group.max()) + 1
     if rows > 1:
@@ -42,6 +43,19 @@ def folds(
         groups = int(group.max()) + 1
     part = _parts(groups, min(count, groups), rng)[group]
     return [(part != k, part == k) for k in range(min(count, groups))]
+
+
+def stands(found: Readings, recording: Recording) -> np.ndarray:
+    """Return groups (R,) of readings: all of one pose, whichever point of the machine they are of.
+
+    What a model lacks at a pose moves all its points alike: none of them judges what was fitted to another. Of fewer
+    poses than parts points are all there is to part. Readings of two rows are grouped as they are.
+    """
+    rows, tool = found.rows[:, 0], recording.tool
+    if found.rows.shape[1] != 1 or tool is None or not np.ptp(np.nan_to_num(tool[rows]), axis=0).any():
+        return found.group
+    stand = numbered(np.round(np.column_stack([recording.joints, recording.setup]), 9)[rows])
+    return stand if len(np.unique(stand)) >= FOLDS else found.group
 
 
 def _stretches(found: Readings, recording: Recording) -> np.ndarray:

@@ -455,16 +455,16 @@ class Recording:
 
 
 def poses_of(recording: Recording) -> np.ndarray:
-    """Return the pose (N,) of each row: label and set-up or, where there are no labels, joints and tool point.
+    """Return the pose (N,) of each row: label or, where there are no labels, joints; with set-up and measured point.
 
     Samples of runs are of one pose as long as the joints stand: what passes there, or comes back, comes differently.
     """
     _, label = np.unique(recording.pose, return_inverse=True)
+    tool = np.zeros((recording.n_rows, 3)) if recording.tool is None else np.nan_to_num(recording.tool)
     if label.max(initial=-1) + 1 == recording.n_rows and recording.pairs is None:
-        tool = np.zeros((recording.n_rows, 3)) if recording.tool is None else np.nan_to_num(recording.tool)
         key = np.round(np.column_stack([recording.joints, tool, recording.setup]), 9)
         if (run := recording.channels.get("run")) is not None:
             went = np.any(np.diff(np.column_stack([key, run]), axis=0, prepend=np.nan) != 0, axis=1)
             key = np.cumsum(went)[:, None]
         return numbered(key)
-    return numbered(np.column_stack([label, recording.setup]))
+    return numbered(np.round(np.column_stack([label, recording.setup, tool]), 9))
