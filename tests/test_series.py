@@ -62,6 +62,23 @@ def test_its_length_is_found_whatever_a_fit_has_taken(sort: str, rho: float, n: 
     assert abs(np.mean(wrong)) < 0.15
 
 
+@pytest.mark.parametrize("far", [1.0, 4.0, 12.0])  # standard deviations of what was known of each parameter
+@pytest.mark.parametrize("fine", [1e2, 1e5])  # what such a deviation moves readings by, in their noise
+def test_white_noise_is_white_however_far_a_machine_is_off_its_drawing(far: float, fine: float) -> None:
+    n, k = 60, 20
+    rng = np.random.default_rng(3)
+    known = fine * rng.standard_normal((n, 3, k))
+    A, z = known.reshape(3 * n, k), rng.standard_normal((n, 3))
+    taken = Taken(known, far * rng.choice([-1.0, 1.0], k), np.ones((n, 1, 1)) * np.eye(3))
+    left = z.ravel() - A @ np.linalg.lstsq(A, z.ravel(), rcond=None)[0]
+    whole = Series(np.arange(n), np.concatenate([[np.inf], np.ones(n - 1)]))
+    alone = whole.deviance(left.reshape(n, 3), taken)
+    assert alone - whole.likeliest(left.reshape(n, 3), taken)[1] < 6
+    # but for the noise that is told of them, readings are as likely wherever the machine stands
+    near = whole.deviance(left.reshape(n, 3), taken._replace(toward=np.zeros(k)))
+    assert alone - near == pytest.approx(k * far**2, rel=1e-2)
+
+
 def test_white_noise_is_white() -> None:
     z = np.random.default_rng(5).standard_normal((100, 3))
     whole = Series(np.arange(100), np.concatenate([[np.inf], np.ones(99)]))

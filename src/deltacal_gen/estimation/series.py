@@ -24,10 +24,11 @@ OWN = (0.1, 0.3, 0.5, 0.7, 0.9)  # parts of the variance that are each row's own
 REFINED = 6  # times that the steps between those are halved
 OWN_PRICE = 6.6  # of the deviance: what a part of each row's own must explain; chance does in one of a hundred
 SIZES = np.geomspace(0.5, 2.0, 21)  # of noise that are tried, in the one that what each direction leaves speaks for
-SETTLING = 10  # rounds to that one
+SETTLING = 10  # rounds to that one, from what readings leave that no parameter could take
 UNSEEN = 1e-12  # of the largest eigenvalue: less is no direction that readings see
 FAINT = 1e-6  # weight below which a reading counts for nothing
 DEFINITE = 1e-12  # of the variance: keeps a factor real where rounding would not
+TINY = 1e-300  # of what readings without any error leave
 
 
 class Taken(NamedTuple):
@@ -188,18 +189,21 @@ class Series:
             return float(e.size * np.log(np.mean(e**2)) + volume)
         A, M = (self.freed(columns).reshape(len(e), -1) for columns in (taken.known, taken.free))
         Q, R = np.linalg.qr(M)
-        both = np.column_stack([A, e - A @ taken.toward])
+        both = np.column_stack([A, e])
         both -= Q @ (Q.T @ both)
         A, e = both[:, :-1], both[:, -1]
         size, V = np.linalg.eigh(A.T @ A)
         seen = size > UNSEEN * size.max(initial=0.0)  # of joints without a drawing the instrument alone is unknown
         V, size = V[:, seen], size[seen]
-        inside = (V.T @ (A.T @ e)) ** 2 / size
-        rest, free = max(float(e @ e - inside.sum()), 0.0), len(e) - M.shape[1]
-        about = float(e @ e) / max(free, 1)
-        for _ in range(SETTLING):
-            open_to_noise = (about / (about + size)).sum() + max(free - len(size), 0)
-            about = (rest + about * (inside / (about + size)).sum()) / open_to_noise
+        along = V.T @ (A.T @ e)
+        rest = float(e @ e)
+        rest, free = max(rest - float((along**2 / size).sum()), DEFINITE * rest, TINY), len(e) - M.shape[1]
+        inside = (along - size * (V.T @ taken.toward)) ** 2 / size
+        spare = max(free - len(size), 0)
+        about = rest / spare if spare else float(rest + inside.sum()) / max(free, 1)
+        for _ in range(SETTLING):  # where the slope of the likelihood by the size is nothing
+            noise = about / (about + size)
+            about = (rest + (inside * noise**2).sum()) / (spare + noise.sum())
         s = about * SIZES[:, None] ** 2
         each = free * np.log(s[:, 0]) + np.log1p(size / s).sum(axis=1)
         each += rest / s[:, 0] + (inside / (s + size)).sum(axis=1)
