@@ -54,7 +54,7 @@ def visits(folder: Path, robot: Robot, profile: Array, walk: Array) -> Recording
     way = np.tile(np.repeat([1, -1], len(places)), 5)
     moved = 2.5 * place + profile[place] + walk
     rows = zip(np.arange(len(place)) // (2 * len(places)), 2.5 * place, way, moved, strict=True)
-    lines = [f"{cycle},{q},{w},{x:.5f}" for cycle, q, w, x in rows]
+    lines = [f"{cycle},{q},{w},{x:.8f}" for cycle, q, w, x in rows]
     (folder / "axis.csv").write_text("\n".join(["cycle,q1_mm,approach1,x_mm", *lines]) + "\n")
     return read_recording(folder / "axis.csv", load_mechanism("serial", robot.links))
 
@@ -66,6 +66,22 @@ def test_what_comes_back_at_each_visit_depends_on_where_it_is(robot: Robot, tmp_
     found = diagnose(robot, visits(tmp_path, robot, profile, 0.004 * rng.standard_normal(90))).answer()
     assert found.verdict == "unexplained"
     assert "comes back at each visit of a pose (correlation 0.9" in found.location.text
+
+
+@pytest.mark.parametrize(("size", "verdict"), [(2.0, "unexplained"), (0.0, "adequate")])
+def test_what_few_positions_share_is_no_noise_though_many_readings_hardly_show_it(
+    robot: Robot, tmp_path: Path, size: float, verdict: str
+) -> None:
+    """A fine stage: 50 readings of five positions leave twice the noise that repeats show, or no more than that."""
+    noise = 1e-5  # mm
+    for seed in range(4):
+        rng = np.random.default_rng(seed)
+        profile = size * noise * np.array([0.3, 0.1, 0.6, 0.4, -1.4])
+        found = diagnose(robot, visits(tmp_path, robot, profile, noise * rng.standard_normal(50))).answer()
+        assert found.verdict == verdict
+        assert "0.0000 mm" not in found.summary
+        if size:
+            assert "alike in the readings of a pose" in found.location.text
 
 
 def test_an_axis_that_wanders_is_no_want_of_poses(robot: Robot, tmp_path: Path) -> None:

@@ -59,7 +59,7 @@ from deltacal_gen.results.diagnosis import (
     Verdict,
 )
 from deltacal_gen.results.parts import InstrumentState, MachineState, Missing, Source
-from deltacal_gen.results.shown import rounded
+from deltacal_gen.results.shown import decimals, rounded
 from deltacal_gen.units import DEG, joint_factors, joint_names
 
 SHORT = 2.0  # times the noise: a held-out error beyond it says that the geometry itself is hardly known
@@ -310,18 +310,19 @@ def _summary(found: Diagnosed) -> str:
         return (
             f"No physics can be named: {scalars} readings carry the {count} parameters of {found.model} and leave "
             f"{scalars - count} to judge by; whatever is missing, the parameters take over. The fit leaves "
-            f"{found.final.rms():.4f} mm. Probe a mesh over the whole bed, and measure distances on a printed object."
+            f"{decimals(found.final.rms())} mm. Probe a mesh over the whole bed, and measure distances on a printed "
+            "object."
         )
     if found.short:
-        held_out = f"{before:.4f} mm" if np.isfinite(before) else "too little to say"
+        held_out = f"{decimals(before)} mm" if np.isfinite(before) else "too little to say"
         return (
             f"Nothing can be shown to be missing, but these poses are too few for {len(found.baseline.problem.names)} "
             f"parameters: on held-out readings the geometry leaves {held_out}, where the noise is "
-            f"{found.noise.sigma:.4f} mm. Measure more poses."
+            f"{decimals(found.noise.sigma)} mm. Measure more poses."
         )
     if found.verdict is Verdict.ADEQUATE:
         return (
-            f"Nothing is missing: what the calibrated geometry leaves, {before:.4f} mm on held-out readings, "
+            f"Nothing is missing: what the calibrated geometry leaves, {decimals(before)} mm on held-out readings, "
             f"{_as_noise(found)}. Use the calibrated machine.{_hinted(found)}"
         )
     turned = f"It may be {found.turned}: compare the signs of that column first. " if found.turned else ""
@@ -337,13 +338,13 @@ def _summary(found: Diagnosed) -> str:
     parts += _lawful(found)
     if found.verdict is Verdict.MISSING_PHYSICS:
         return (
-            f"{turned}Geometry alone leaves {before:.4f} mm on held-out readings. What is missing: {'; '.join(parts)}. "
-            f"{_left_by(found)}{_alike(found.effects)}{_hinted(found)}"
+            f"{turned}Geometry alone leaves {decimals(before)} mm on held-out readings. What is missing: "
+            f"{'; '.join(parts)}. {_left_by(found)}{_alike(found.effects)}{_hinted(found)}"
         )
     named = f" Proven beside it: {'; '.join(parts)}." if parts else ""
     mismatch = "As recorded, a mismatch" if turned else "A mismatch"
     return (
-        f"{turned}{mismatch} of {found.final.rms():.4f} mm is left that no registered effect explains: "
+        f"{turned}{mismatch} of {decimals(found.final.rms())} mm is left that no registered effect explains: "
         f"{found.location.text}.{named}{_hinted(found)}{_unsought(found)} {_corrected(found)}"
     )
 
@@ -352,10 +353,11 @@ def _left_by(found: Diagnosed) -> str:
     """Return what is left with all that was found, and whether that is noise on held-out readings, too."""
     after = found.heldout[1]
     if not found.unsure:
-        return f"With it {after:.4f} mm are left: that {_as_noise(found)}."
+        return f"With it {decimals(after)} mm are left: that {_as_noise(found)}."
     return (
-        f"With it {found.final.rms():.4f} mm are left of the readings that it was fitted to: that {_as_noise(found)}. "
-        f"Of held-out readings {after:.4f} mm are left: it is there, but more poses would tell it better."
+        f"With it {decimals(found.final.rms())} mm are left of the readings that it was fitted to: that "
+        f"{_as_noise(found)}. Of held-out readings {decimals(after)} mm are left: it is there, but more poses would "
+        "tell it better."
     )
 
 
@@ -502,8 +504,8 @@ def _corrected(found: Diagnosed) -> str:
         if found.final.repeats.rows > 1:
             most += " Rows that follow one another are alike: only the same poses on another day tell joints from time."
     return (
-        f"A smooth correction by {on}, without physics, lowers the error of held-out readings from {before:.4f} to "
-        f"{after:.4f} mm; predictions use it where {where} as in this recording.{most}"
+        f"A smooth correction by {on}, without physics, lowers the error of held-out readings from "
+        f"{decimals(before)} to {decimals(after)} mm; predictions use it where {where} as in this recording.{most}"
     )
 
 

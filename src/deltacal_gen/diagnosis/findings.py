@@ -19,6 +19,7 @@ from deltacal_gen.diagnosis.strategy import ALIKE
 from deltacal_gen.diagnosis.structure import Region, Structure, alike, returning
 from deltacal_gen.diagnosis.unnamed import shifts
 from deltacal_gen.estimation.fitted import Fit
+from deltacal_gen.identification.noise import alike_at_a_pose
 from deltacal_gen.machine.places import place_of
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.values import Robot
@@ -143,6 +144,8 @@ def _where(
             if comes > ALIKE and again > RETURNING
             else f"what is left hangs together over {at.repeats.rows:.0f} rows and depends on nothing that was recorded"
             if at.repeats.rows > 1
+            else "what is left is alike in the readings of a pose, but depends on nothing that was recorded"
+            if not (explained or limbs) and alike_at_a_pose(at, at.problem.recording)
             else "what is left depends on nothing that was recorded"
             if wandering or not limbs
             else "what is left depends on nothing that was recorded, but moves readings as one joint does"

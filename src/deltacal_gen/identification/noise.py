@@ -9,7 +9,7 @@ import numpy as np
 
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.residuals import lengths
-from deltacal_gen.identification.repeats import ENOUGH, repeats
+from deltacal_gen.identification.repeats import ENOUGH, of_one_point, repeats
 from deltacal_gen.identification.rounding import rounding_of
 from deltacal_gen.identification.tails import NO_TAILS, Tails, tails_of
 from deltacal_gen.machine.registry import Array
@@ -17,6 +17,7 @@ from deltacal_gen.machine.values import Recording
 from deltacal_gen.results.parts import NoiseModel, Source
 
 PROVEN = 4.0  # standard deviations by which one noise must exceed another to be called larger
+CHANCE = 3e-5  # of a noise that is exceeded so, likewise
 MISTAKEN = 3.0  # times by which a declared noise, from a data sheet or another day, may well be wrong
 LEAST_EXCESS = 1.15  # of chi2 per degree of freedom: a sidecar's sigma has a digit or two
 
@@ -181,7 +182,7 @@ def _spread(r: Array) -> float:
 def lack_of_fit(final: Fit, recording: Recording) -> bool:
     """Tell whether what a fit leaves is more than a noise known beforehand, each as uncertain as it is."""
     known = noise(final, recording)
-    return known.source is not Source.RESIDUAL and _more(final, known)
+    return known.source is not Source.RESIDUAL and (_more(final, known) or alike_at_a_pose(final, recording))
 
 
 def merely_more(final: Fit, recording: Recording) -> bool:
@@ -196,6 +197,29 @@ def merely_more(final: Fit, recording: Recording) -> bool:
 def _more(final: Fit, known: Noise) -> bool:
     excess, doubt = _excess(final, known)
     return excess > max(doubt, np.log(LEAST_EXCESS))
+
+
+def alike_at_a_pose(final: Fit, recording: Recording) -> bool:
+    """Tell whether what readings of one pose share is proven, and more than the noise that they show.
+
+    Among many readings of few poses it hardly adds to what all of them leave: means of poses tell (lack of fit against
+    pure error). As much again as the noise is demanded, since what happens between two visits of a pose is in neither.
+    """
+    if _known(final, recording).source is not Source.REPEATS or final.repeats.series is not None:
+        return False
+    from scipy.special import fdtrc
+
+    found, shown = final.problem.readings, repeats(final, recording)
+    r = np.delete(lengths(final.residual, found.kind), final.gross, axis=0)
+    group = np.unique(np.delete(of_one_point(found), final.gross), return_inverse=True)[1]
+    count = np.bincount(group)
+    sums = np.zeros((len(count), r.shape[1]))
+    np.add.at(sums, group, np.nan_to_num(r))
+    free = sums.size - final.solution.degrees - final.instrument.n_unknown
+    if free < 1:
+        return False
+    ratio = float((sums**2 / count[:, None]).sum()) / free / shown.variance
+    return ratio - 1 > float(np.mean(count)) and bool(fdtrc(free, shown.degrees, ratio) < CHANCE)
 
 
 def _excess(final: Fit, known: Noise) -> tuple[float, float]:

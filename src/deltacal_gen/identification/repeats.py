@@ -61,7 +61,7 @@ def repeats(final: Fit, recording: Recording) -> Shown:
     found = final.problem.readings
     quiet = np.setdiff1d(np.arange(len(found)), final.gross)
     r = np.nan_to_num(lengths(final.residual, found.kind))[quiet]
-    channels, same = _channels(found, recording), _of_one_point(found)
+    channels, same = _channels(found, recording), of_one_point(found)
     group = _levelled(same, {n: v for n, v in channels.items() if not of_column(n).passes})[quiet]
     alike = Shown(r, group, *Repeats.ratio_of(r, group)[1:])
     if alike.degrees >= ENOUGH or not channels:
@@ -70,7 +70,7 @@ def repeats(final: Fit, recording: Recording) -> Shown:
     return (_smoothed(final, quiet, same[quiet], r, channels) if known else None) or alike
 
 
-def _of_one_point(found: Readings) -> np.ndarray:
+def of_one_point(found: Readings) -> np.ndarray:
     """Return groups (R,) of readings of one pose and of the same point: those of a printed board see others."""
     if found.known is None:
         return found.group

@@ -6,6 +6,7 @@ from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.pages import report
 from deltacal_gen.pages.validation import norms
 from deltacal_gen.results.certificate import Certificate
+from deltacal_gen.results.shown import decimals
 
 MANY = 10_000  # degrees of freedom: t and normal distribution are one
 
@@ -17,7 +18,7 @@ def certificate(found: Certificate) -> str:
     scalar = "coordinate" if kind_of(found.kind).positions else "reading"
 
     def shown(value: float) -> str:
-        return f"{value / length:.4f}"
+        return decimals(value / length)
 
     combined = ("combined", "", _degrees(budget.degrees), shown(budget.sigma_mm), "100 %")
     machine = (

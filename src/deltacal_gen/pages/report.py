@@ -42,7 +42,7 @@ from deltacal_gen.results.diagnosis import (
 )
 from deltacal_gen.results.parts import Source
 from deltacal_gen.results.result import Result, Status
-from deltacal_gen.results.shown import rounded
+from deltacal_gen.results.shown import decimals, rounded
 from deltacal_gen.use import firmware
 from deltacal_gen.use.unseen import sentences
 
@@ -103,7 +103,7 @@ def diagnosis(found: Diagnosis) -> str:
         lead=_lead(found),
         steps=_steps(found),
         improvement={"title": "", "svg": _svg(partial(figures.bars, found=found), (4.4, 1.6))},
-        noise=f"{found.noise.sigma_mm / shown_in(found)[1]:.4f} {shown_in(found)[0]}",
+        noise=f"{decimals(found.noise.sigma_mm / shown_in(found)[1])} {shown_in(found)[0]}",
         noise_of=_NOISE[found.noise.source],
         location=sentence(found.location.text),
         channel=_pair(
@@ -202,9 +202,9 @@ def calibration(found: Result, left: Left | None = None) -> str:
         machine=machine,
         found=found,
         prints=found.model.split("/")[0] == firmware.MODEL.split("/")[0],
-        headline=f"{machine}: {before:.3f} {unit} before, {after:.4f} {unit} after",
+        headline=f"{machine}: {before:.3f} {unit} before, {decimals(after)} {unit} after",
         lead=f"As the robot file has it, the machine is off by {before:.3f} {unit} rms; calibrated as "
-        f"{found.model}, by {after:.4f} {unit} {seen}. The noise is {found.sigma_mm / size:.4f} {unit}, "
+        f"{found.model}, by {decimals(after)} {unit} {seen}. The noise is {decimals(found.sigma_mm / size)} {unit}, "
         f"{_NOISE[found.sigma_source]}.",
         pictures=[{"title": "", "svg": _svg(partial(draw, result=found), size)} for draw, size in panels],
         left=[{"title": "", "svg": _svg(draw, size)} for draw, size in _left_panels(left)],
@@ -351,7 +351,7 @@ def _lead(found: Diagnosis) -> str:
     """Return what was found in two sentences."""
     unit, size = shown_in(found)
     figures_mm = (_heldout(found.baseline), _heldout(found.final), found.noise.sigma_mm)
-    before, after, sigma = (f"{mm / size:.4f} {unit}" for mm in figures_mm)
+    before, after, sigma = (f"{decimals(mm / size)} {unit}" for mm in figures_mm)
     if found.verdict is Verdict.ADEQUATE:
         more = "Nothing else is proven" if found.hints else "Nothing else was found"
         return f"What the geometry leaves on held-out readings, {before}, is noise. {more}."
@@ -375,7 +375,7 @@ def _law(found: Diagnosis) -> dict[str, object] | None:
         return None
     best, *others = found.laws
     pictures = laws.drawn(best, lambda draw: _svg(draw, (6.4, 3.0)))
-    left = f"{best.heldout_rms_mm:.4f} mm"
+    left = f"{decimals(best.heldout_rms_mm)} mm"
     return laws.described(best, tuple(others), left, robot_of(found.robot), best.remainder_rms_mm) | {
         "pictures": pictures
     }

@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 from deltacal_gen.pages import report
 from deltacal_gen.pages.figures import AFTER, BEFORE, INK, MUTED
 from deltacal_gen.results.base import shown_in
+from deltacal_gen.results.shown import decimals
 from deltacal_gen.results.validation import Iso230, Iso9283, Validation
 
 WIDTH = 2.0  # standard deviations that a band shows to either side: those of ISO 230-2
@@ -64,7 +65,7 @@ def _norm(
     if answer is None:
         return []
     written = dict(answer.written())
-    rows = [(words, f"{written[key]:.4f}") for key, words in names.items() if key in written]
+    rows = [(words, decimals(written[key])) for key, words in names.items() if key in written]
     return [(title.format(answer.poses), rows, f"{answer.note[:1].upper()}{answer.note[1:]}.", picture)]
 
 

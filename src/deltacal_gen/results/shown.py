@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 SMALLEST = -6  # place of a digit that is still written out
+COARSE = 1e-3  # below, four decimals are a digit or none
 MOST = 60  # rows that are shown; a data frame has all
 
 Table = Sequence[Mapping[str, Any]]
@@ -79,6 +80,11 @@ def rounded(value: float, std: float | None) -> tuple[str, str]:
         return f"{value:.{first - last}e}", f"{std:.1e}"
     digits = max(-last, 0)
     return f"{round(value, digits) + 0.0:.{digits}f}", f"{std:.{digits}f}"  # no -0.00
+
+
+def decimals(value: float) -> str:
+    """Return an error or a noise as people read it: to four decimals, or to two digits where these show less."""
+    return f"{value:.4f}" if value == 0 or not abs(value) < COARSE else f"{value:.2g}"
 
 
 def _cells(row: Mapping[str, Any], names: Sequence[str]) -> list[str]:

@@ -101,7 +101,7 @@ def _show_result(found: Result) -> None:
     from deltacal_gen.diagnosis.spectrum import words
     from deltacal_gen.results.parts import Source
     from deltacal_gen.results.result import Status
-    from deltacal_gen.results.shown import rounded
+    from deltacal_gen.results.shown import decimals, rounded
     from deltacal_gen.use.comparison import flattered
 
     for joint in found.never_seen or ():
@@ -140,15 +140,15 @@ def _show_result(found: Result) -> None:
     beside = "" if held is None else f", [bold]held-out {number(held / length)} {unit}[/bold]"
     screen.print(
         f"[bold]{counts[Status.IDENTIFIED]} of {sum(counts.values())} parameters identified[/bold], "
-        f"{found.readings.scalars} scalar readings: rms before {found.before_rms_mm / length:.4f} -> "
-        f"after {found.train_rms_mm / length:.4f} {unit}{beside} "
-        f"(noise {found.sigma_mm / length:.4f}, {found.sigma_source})"
+        f"{found.readings.scalars} scalar readings: rms before {decimals(found.before_rms_mm / length)} -> "
+        f"after {decimals(found.train_rms_mm / length)} {unit}{beside} "
+        f"(noise {decimals(found.sigma_mm / length)}, {found.sigma_source})"
     )
     if words_of_few := flattered(found.degrees_of_freedom, found.readings.scalars, found.train_rms_mm):
         screen.print(words_of_few)
     if firmware := found.firmware:
         screen.print(
-            f"beside it, what firmware fits ({firmware.model}): {firmware.train_rms_mm:.4f} mm, "
+            f"beside it, what firmware fits ({firmware.model}): {decimals(firmware.train_rms_mm)} mm, "
             f"held-out {number(firmware.heldout_rms_mm)} mm"
         )
     chi2 = found.chi2_per_dof
@@ -214,7 +214,7 @@ def show_diagnosis(found: Diagnosis) -> None:
     """Print a diagnosis: its verdict, the effects with their parameters, and what cannot be told from them."""
     from deltacal_gen.files.robot import robot_of
     from deltacal_gen.machine.places import at, number_of, part_of
-    from deltacal_gen.results.shown import rounded
+    from deltacal_gen.results.shown import decimals, rounded
 
     robot = robot_of(found.robot)
     screen.print(f"[bold]{found.verdict.replace('_', ' ')}[/bold]: {escaped(found.summary)}")
@@ -244,7 +244,7 @@ def show_diagnosis(found: Diagnosis) -> None:
     for words, row in (("geometry", found.baseline), ("with what was found", found.final)):
         table.add_row(
             words,
-            f"{row.train_rms_mm / length:.4f}",
+            decimals(row.train_rms_mm / length),
             number(row.heldout_rms_mm and row.heldout_rms_mm / length),
             f"{row.chi2_per_dof:.2f}",
         )

@@ -23,6 +23,7 @@ from deltacal_gen.app.cli.common import (
 )
 from deltacal_gen.errors import UsageError
 from deltacal_gen.results.base import shown_in
+from deltacal_gen.results.shown import decimals
 
 MOST_NAMES = 8  # of parameters in a line on the screen
 if TYPE_CHECKING:
@@ -129,7 +130,7 @@ def _show_lines(lines: FirmwareLines, output: Path, told: list[str]) -> None:
     for name, key in shown[: 1 if lines.heights_alone else 2]:
         for figure in ("rms", "worst"):
             now, new = (getattr(left, f"{key}_{figure}_mm") for left in (lines.before, lines.after))
-            table.add_row(f"{name}, {figure}", f"{now:.4f}", f"{new:.4f}", "mm")
+            table.add_row(f"{name}, {figure}", decimals(now), decimals(new), "mm")
     screen.print(table)
     least = "least over the bed" if lines.heights_alone else "least over bed and volume"
     how = "a fit of the firmware's own numbers to the readings" if lines.by_readings else least
@@ -239,14 +240,15 @@ def _show_validation(found: Validation) -> None:
         screen.print(words(joint))
     if (iso := found.iso9283) is not None:
         screen.print(
-            f"ISO 9283, {iso.poses} poses: accuracy AP {iso.AP_mean_mm:.4f} mm (largest {iso.AP_max_mm:.4f}), "
-            f"repeatability RP {iso.RP_mean_mm:.4f} mm (largest {iso.RP_max_mm:.4f})"
+            f"ISO 9283, {iso.poses} poses: accuracy AP {decimals(iso.AP_mean_mm)} mm (largest "
+            f"{decimals(iso.AP_max_mm)}), repeatability RP {decimals(iso.RP_mean_mm)} mm "
+            f"(largest {decimals(iso.RP_max_mm)})"
         )
     if (axis := found.iso230) is not None:
         screen.print(
-            f"ISO 230-2, {axis.poses} positions from both sides, mm: accuracy A {axis.A_mm:.4f}, "
-            f"systematic E {axis.E_mm:.4f}, repeatability R {axis.R_mm:.4f}, reversal B {axis.B_mm:.4f}, "
-            f"mean M {axis.M_mm:.4f}"
+            f"ISO 230-2, {axis.poses} positions from both sides, mm: accuracy A {decimals(axis.A_mm)}, "
+            f"systematic E {decimals(axis.E_mm)}, repeatability R {decimals(axis.R_mm)}, reversal B "
+            f"{decimals(axis.B_mm)}, mean M {decimals(axis.M_mm)}"
         )
 
 
@@ -273,7 +275,7 @@ def certificate(
     unit, length = shown_in(found)
     table = Table("contribution", "type", unit, "share")
     for c in found.budget.contributions:
-        table.add_row(c.source, c.evaluation, f"{c.sigma_mm / length:.4f}", f"{c.share:.1%}")
+        table.add_row(c.source, c.evaluation, decimals(c.sigma_mm / length), f"{c.share:.1%}")
     screen.print(escaped(found.headline))
     screen.print(table)
     screen.print(f"{found.budget.within:.0%} of what was read lies within U")
