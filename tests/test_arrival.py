@@ -443,3 +443,15 @@ def test_a_second_reference_point_of_an_arm_is_as_far_as_a_hand_holds_it(arm: Ro
     points = [idea for idea in proposed if "reference point" in idea.measurement]
     assert points
     assert all("100 mm beside the first" in idea.measurement for idea in points)
+
+
+def test_points_that_are_read_at_a_pose_already_are_no_idea(arm: Robot) -> None:
+    """Three reflectors tell rotations: what they leave open no fourth would pin, nor the rotation itself."""
+    rng = np.random.default_rng(2)
+    joints = np.repeat(wide(rng, 20, 0.6), 3, axis=0)
+    asked = dataclasses.replace(
+        unread(arm, joints), tool=np.tile([[0, 0, 120.0], [100, 0, 120], [0, 100, 120]], (20, 1))
+    )
+    readings = simulate(arm, asked, {}, noise_mm=0.1, rng=rng, frame=(np.ones(3), np.ones(3)))
+    proposed = identify(arm, readings).answer().next_measurements
+    assert not any("reference point" in idea.measurement or "rotation" in idea.measurement for idea in proposed)

@@ -12,12 +12,13 @@ from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.instrument.kinds import PAIRS, POINTS, kind_of
 from deltacal_gen.machine.registry import SOLVED, Array, mechanism_of
 from deltacal_gen.machine.rotation import about_z
-from deltacal_gen.machine.values import Robot
+from deltacal_gen.machine.values import Robot, numbered
 from deltacal_gen.results.result import (
     Remedy,
 )
 from deltacal_gen.units import DEG, file_unit, to_internal
 
+TURNED = 3  # points at a pose that tell how the platform is turned
 HANDS = 100.0  # mm: how far beside the first a further reference point of a chain is
 
 
@@ -34,12 +35,15 @@ def remedies(final: Fit, absorbed: int = 0) -> tuple[Remedy, ...]:
     moved = [problem.with_tool(tool) for tool in tools]
     kind = problem.readings.kind
     if not kind.picked and not kind.carried(problem.mechanism):  # a measuring mechanism mounted anew has new errors
-        beside = f"{span:.0f} mm beside the first, at the same poses"
-        ideas.append((f"a second reference point, {beside}", moved[:1]))
-        ideas.append((f"a second and a third reference point, {beside}", moved[:2]))
+        beside, read = f"{span:.0f} mm beside the first, at the same poses", _points_at_a_pose(problem)
+        if read == 1:
+            ideas.append((f"a second reference point, {beside}", moved[:1]))
+            ideas.append((f"a second and a third reference point, {beside}", moved[:2]))
+        elif read == 2:
+            ideas.append((f"a third reference point, {beside}", moved[:1]))
     if problem.readings.kind.position_beside:
         ideas.append(("the position itself at the same poses, with a tracker or a camera", [_as_positions(problem)]))
-    if problem.readings.kind.rotation_beside and problem.mechanism.turns:
+    if problem.readings.kind.rotation_beside and problem.mechanism.turns and _points_at_a_pose(problem) < TURNED:
         full = _as_positions(problem)
         three = [full.with_tool(full.body.tool + np.array(o) * span) for o in ((0, 0, 0), (1, 0, 0), (0, 1, 0))]
         ideas.append(("the platform's rotation (kind pose) at the same poses", three))
@@ -56,6 +60,14 @@ def remedies(final: Fit, absorbed: int = 0) -> tuple[Remedy, ...]:
     return tuple(
         Remedy(measurement=text, pins=gains[text], of=of) for text in sorted(told, key=lambda text: -gains[text])
     )
+
+
+def _points_at_a_pose(problem: Problem) -> int:
+    """Return how many points of the machine were read at a pose, in the median."""
+    rows = np.unique(problem.readings.rows)
+    stand = numbered(np.round(problem.body.q[rows], 9))
+    each = numbered(np.round(np.column_stack([stand, problem.body.tool[rows]]), 9))
+    return int(np.median(np.bincount(stand[np.unique(each, return_index=True)[1]])))
 
 
 def _span(robot: Robot) -> float:
