@@ -11,6 +11,7 @@ import pytest
 from conftest import plausible, rings, scattered, wanted
 
 from deltacal_gen.app.demonstration import example
+from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import Robot, read_robot
@@ -20,6 +21,7 @@ from deltacal_gen.identification.identification import identify
 from deltacal_gen.machine.registry import Machine, load_mechanism
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.simulation import simulate
+from deltacal_gen.results.shown import needless
 from deltacal_gen.units import DEG, to_internal
 from deltacal_gen.use.prediction import predict
 
@@ -444,3 +446,15 @@ def test_a_pose_under_two_names_gives_no_distance_to_itself(robot: Robot, eighte
     found = identify(robot, recording, "18", as_distance=True)
     assert found.fit.problem.readings.rows.tolist().count([0, 19]) == 0
     assert 0.002 < found.answer().train_rms_mm < 0.008
+
+
+def test_a_calibration_that_gains_nothing_is_told(robot: Robot) -> None:
+    """Noise of a centimetre on a machine that is as drawn: what is fitted to it helps no other reading."""
+    rng = np.random.default_rng(5)
+    readings = simulate(robot, wanted(rings(robot, 12)), {}, noise_mm=10.0, rng=rng)
+    found = identify(robot, readings).answer()
+    assert found.heldout_rms_mm is not None
+    assert found.heldout_rms_mm > found.before_rms_mm
+    assert "robot file has it leaves no more" in needless(found.before_rms_mm, found.heldout_rms_mm)
+    assert "want no correction" in diagnose(robot, readings).answer().summary
+    assert not needless(1.0, 0.5)

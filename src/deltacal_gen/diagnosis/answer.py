@@ -22,6 +22,7 @@ from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.files.robot import kept_robot
 from deltacal_gen.identification.checks import gross_lines
+from deltacal_gen.identification.drawing import filed_rms
 from deltacal_gen.identification.knowledge import uncertainty_of
 from deltacal_gen.identification.noise import Noise, coordinate_sigma, noise_model
 from deltacal_gen.identification.unknowns import unknowns_of
@@ -59,7 +60,7 @@ from deltacal_gen.results.diagnosis import (
     Verdict,
 )
 from deltacal_gen.results.parts import InstrumentState, MachineState, Missing, Source
-from deltacal_gen.results.shown import decimals, rounded
+from deltacal_gen.results.shown import decimals, needless, rounded
 from deltacal_gen.units import DEG, joint_factors, joint_names
 
 SHORT = 2.0  # times the noise: a held-out error beyond it says that the geometry itself is hardly known
@@ -323,7 +324,7 @@ def _summary(found: Diagnosed) -> str:
     if found.verdict is Verdict.ADEQUATE:
         return (
             f"Nothing is missing: what the calibrated geometry leaves, {decimals(before)} mm on held-out readings, "
-            f"{_as_noise(found)}. Use the calibrated machine.{_hinted(found)}"
+            f"{_as_noise(found)}. {_use_of(found)}{_hinted(found)}"
         )
     turned = f"It may be {found.turned}: compare the signs of that column first. " if found.turned else ""
     parts = []
@@ -507,6 +508,11 @@ def _corrected(found: Diagnosed) -> str:
         f"A smooth correction by {on}, without physics, lowers the error of held-out readings from "
         f"{decimals(before)} to {decimals(after)} mm; predictions use it where {where} as in this recording.{most}"
     )
+
+
+def _use_of(found: Diagnosed) -> str:
+    """Return what to do with a machine to which nothing is missing."""
+    return needless(filed_rms(found.final), found.heldout[0]) or "Use the calibrated machine."
 
 
 def _waves(robot: Robot, own: JointFunction) -> str:

@@ -195,7 +195,8 @@ def plausible(first: Fit) -> None:
         raise InputError(
             f"the readings are {off:.3g} mm off this machine, {off / spread:.0%} of what its poses spread over: more "
             "than any error of its parts.",
-            "Compare the robot file with the machine, and the columns of the recording with what was measured.",
+            "Compare the robot file with the machine (of a chain also whether its table is standard or modified), and "
+            "the columns of the recording with what was measured, and of which point.",
             file=problem.recording.path,
         )
 

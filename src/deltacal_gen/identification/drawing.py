@@ -10,7 +10,8 @@ from deltacal_gen.errors import NoSolutionError
 from deltacal_gen.estimation.fit import fit
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.prior import unsaid, with_prior
-from deltacal_gen.estimation.solvers import Prior
+from deltacal_gen.estimation.residuals import lengths, rms
+from deltacal_gen.estimation.solvers import LeastSquares, Prior
 from deltacal_gen.files.robot import robot_size
 from deltacal_gen.identification.noise import coordinate_sigma, noise
 from deltacal_gen.machine.registry import Array
@@ -59,6 +60,13 @@ def in_file(at: Fit) -> Array:
     own = [mechanism.index[name] for name in unsaid(at.problem)]
     errors[own] = at.errors[own]
     return errors
+
+
+def filed_rms(at: Fit) -> float:
+    """Return the error of the robot file's machine, the instrument alone fitted [mm]."""
+    free = at.problem.with_names(())
+    alone = fit(free, LeastSquares(), errors=in_file(at), weigh_repeats=False, must_converge=False)
+    return rms(lengths(alone.residual, at.problem.readings.kind))
 
 
 def doubts(at: Fit) -> tuple[str, ...]:

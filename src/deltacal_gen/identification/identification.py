@@ -17,7 +17,6 @@ from deltacal_gen.estimation.fit import fit, held_out, rough
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.prior import with_prior
 from deltacal_gen.estimation.problem import Problem, pose_problem
-from deltacal_gen.estimation.residuals import lengths, rms
 from deltacal_gen.estimation.solvers import TSVD, LeastSquares, Prior, Ridge, Solver
 from deltacal_gen.files.checks import check_units
 from deltacal_gen.files.robot import Robot, for_model
@@ -33,7 +32,7 @@ from deltacal_gen.identification.together import together
 from deltacal_gen.identification.uncertainty import uncertainty_map
 from deltacal_gen.machine.backend import by_recording
 from deltacal_gen.machine.differences import between
-from deltacal_gen.machine.registry import Array, Machine, mechanism_of
+from deltacal_gen.machine.registry import Machine, mechanism_of
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.terms import Term
 from deltacal_gen.results.parts import Missing
@@ -106,7 +105,7 @@ def identify(
     progress(f"fine stage: {len(names)} parameters of {chosen}")
     final = _fine(problem, rule, first, robust)
     problem = final.problem
-    before = _residual_of(problem, drawing.in_file(final))
+    before = drawing.filed_rms(final)
     progress(f"held-out error: {FOLDS} folds")
     final, heldout = _held_out(final, rule, robust)
     progress("identifiability")
@@ -120,7 +119,7 @@ def identify(
         model=chosen,
         fit=final,
         rough=first,
-        before_rms=rms(lengths(before, problem.readings.kind)),
+        before_rms=before,
         heldout_rms=heldout,
         observability=seen.observability,
         unseen=seen.unseen,
@@ -270,12 +269,6 @@ def _solver(name: str | Solver, truncation: int | str, sigma: float | None) -> S
     if name not in solvers:
         raise UsageError(f"there is no solver '{name}'; known: {', '.join(solvers)}.")
     return solvers[name]()
-
-
-def _residual_of(problem: Problem, errors: Array) -> Array:
-    """Return the residual of a machine with given errors, the instrument alone fitted."""
-    free = problem.with_names(())
-    return fit(free, LeastSquares(), errors=errors, weigh_repeats=False, must_converge=False).residual
 
 
 def _weak(final: Fit, n_unseen: int, units: list[str]) -> list[Combination]:

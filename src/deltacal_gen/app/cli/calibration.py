@@ -101,7 +101,7 @@ def _show_result(found: Result) -> None:
     from deltacal_gen.diagnosis.spectrum import words
     from deltacal_gen.results.parts import Source
     from deltacal_gen.results.result import Status
-    from deltacal_gen.results.shown import decimals, rounded
+    from deltacal_gen.results.shown import decimals, needless, rounded
     from deltacal_gen.use.comparison import flattered
 
     for joint in found.never_seen or ():
@@ -144,8 +144,9 @@ def _show_result(found: Result) -> None:
         f"after {decimals(found.train_rms_mm / length)} {unit}{beside} "
         f"(noise {decimals(found.sigma_mm / length)}, {found.sigma_source})"
     )
-    if words_of_few := flattered(found.degrees_of_freedom, found.readings.scalars, found.train_rms_mm):
-        screen.print(words_of_few)
+    few = flattered(found.degrees_of_freedom, found.readings.scalars, found.train_rms_mm)
+    for said in filter(None, (few, needless(found.before_rms_mm, found.heldout_rms_mm))):
+        screen.print(said)
     if firmware := found.firmware:
         screen.print(
             f"beside it, what firmware fits ({firmware.model}): {decimals(firmware.train_rms_mm)} mm, "
