@@ -208,7 +208,7 @@ def test_noise_that_wanders_leaves_no_machine_elsewhere_and_few_rows_far_off_spe
     mechanism = mechanism_of(ROBOT)
     problem = pose_problem(ROBOT, rec, mechanism.model(mechanism.full_model))
     white = fit(problem, Prior(), drop_gross=False, must_converge=False)
-    series = Series.of(problem.readings)
+    series = Series.of(problem.readings, problem.recording)
     assert series is not None
     repeats = dataclasses.replace(white.repeats, series=dataclasses.replace(series, rho=0.9994, own=0.07))
     wanders = fit(problem, Prior(), instrument=white.instrument, repeats=repeats, must_converge=False)

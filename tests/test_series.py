@@ -158,6 +158,20 @@ def _wide(found: Identification, true: dict[str, float]) -> tuple[list[float], n
     return [true[n] for n in names], np.sqrt(np.diag(found.fit.covariance)[: len(names)])
 
 
+def test_a_file_that_was_sorted_is_in_the_order_of_its_time() -> None:
+    made = null("AR 0.9", 0)
+    made = dataclasses.replace(made, channels={"time_s": 7.0 * np.arange(made.n_rows)})
+    as_taken = identify(ROBOT, made, "delta/18")
+    placed = made.subset(np.lexsort((made.joints[:, 1], made.joints[:, 0])))
+    placed = dataclasses.replace(placed, line=made.line)  # lines of the sorted file
+    found = identify(ROBOT, placed, "delta/18")
+    assert found.fit.repeats.rows == pytest.approx(as_taken.fit.repeats.rows)
+    assert found.fit.errors == pytest.approx(as_taken.fit.errors, abs=1e-6)
+    # of two sessions in one file, each with its own clock, lines tell the order
+    both = dataclasses.replace(made, channels={"time_s": 7.0 * (np.arange(made.n_rows) % (made.n_rows // 2))})
+    assert identify(ROBOT, both, "delta/18").fit.repeats.rows == pytest.approx(as_taken.fit.repeats.rows)
+
+
 def test_folds_are_blocks_where_rows_hang_together() -> None:
     made = null("white", 1)
     found = pose_problem(ROBOT, made, DELTA.model("42")).readings

@@ -153,7 +153,7 @@ def test_what_is_fitted_beside_is_as_unknown_as_the_orders_leave_it(tmp_path: Pa
 
 def test_rows_that_hang_together_count_by_their_effective_number(tmp_path: Path) -> None:
     at = geometry(taken(tmp_path, "poses", NOISE, concealed=True, seed=1))
-    series = Series.of(at.problem.readings)
+    series = Series.of(at.problem.readings, at.problem.recording)
     assert series is not None
     walking = dataclasses.replace(
         at, repeats=dataclasses.replace(at.repeats, series=dataclasses.replace(series, rho=0.3))

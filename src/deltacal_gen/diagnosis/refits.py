@@ -67,7 +67,7 @@ def refitted(
 
 def _correlated(at: Fit, problem: Problem) -> Repeats | None:
     """Return how the noise of other readings hangs together, as a fit counts with it; None where it knows nothing."""
-    known, own = at.repeats, Series.of(problem.readings)
+    known, own = at.repeats, Series.of(problem.readings, problem.recording)
     if known.plain or own is None:
         return None
     series = known.series and dataclasses.replace(own, rho=known.series.rho, own=known.series.own)

@@ -17,6 +17,7 @@ import numpy as np
 
 from deltacal_gen.instrument.kind import Readings
 from deltacal_gen.machine.registry import Array
+from deltacal_gen.machine.values import Recording
 
 LONGEST = 1e-3  # 1 - rho of neighbours: within any recording that is a walk
 FADES = (0.0, *np.linspace(-0.2, np.log(LONGEST), 12).tolist())  # log(1 - rho) that are tried
@@ -25,6 +26,7 @@ REFINED = 6  # times that the steps between those are halved
 OWN_PRICE = 6.6  # of the deviance: what a part of each row's own must explain; chance does in one of a hundred
 SIZES = np.geomspace(0.5, 2.0, 21)  # of noise that are tried, in the one that what each direction leaves speaks for
 SETTLING = 10  # rounds to that one, from what readings leave that no parameter could take
+SORTED = 0.2  # of the rows of a file, that are earlier than the one before: it is not in the order of reading
 UNSEEN = 1e-12  # of the largest eigenvalue: less is no direction that readings see
 FAINT = 1e-6  # weight below which a reading counts for nothing
 DEFINITE = 1e-12  # of the variance: keeps a factor real where rounding would not
@@ -40,6 +42,24 @@ class Taken(NamedTuple):
     known: Array
     toward: Array
     free: Array
+
+
+def taken(found: Readings, recording: Recording) -> np.ndarray:
+    """Return where each reading (R,) stands in the order in which they were taken: its line, or its place in time.
+
+    A file whose times mostly jump was sorted by something else. Where they begin anew a few times it was put together
+    of several, and its lines are in order.
+    """
+    time = recording.time_s
+    if time is None or recording.begins_anew or found.rows.shape[1] != 1:
+        return found.line
+    lines, at = np.lexsort((found.line, found.setup)), time[found.rows[:, 0]]
+    back = np.diff(at[lines])[np.diff(found.setup[lines]) == 0] < 0
+    if not len(back) or not np.isfinite(at).all() or back.mean() < SORTED:
+        return found.line
+    place = np.empty(len(at), dtype=int)
+    place[np.lexsort((found.line, at, found.setup))] = np.arange(len(at))
+    return place
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,13 +88,14 @@ class Series:
     weight: Array | None = None
 
     @staticmethod
-    def of(found: Readings) -> Series | None:
-        """Return the readings in their order, by the lines of their file; None of those that belong to two rows."""
+    def of(found: Readings, recording: Recording) -> Series | None:
+        """Return the readings in their order; None of those that belong to two rows."""
         if found.rows.shape[1] != 1:
             return None
-        order = np.lexsort((found.line, found.setup))
+        place = taken(found, recording)
+        order = np.lexsort((place, found.setup))
         same = np.diff(found.setup[order]) == 0
-        gap = np.where(same, np.maximum(np.diff(found.line[order]), 1), np.inf)
+        gap = np.where(same, np.maximum(np.diff(place[order]), 1), np.inf)
         return Series(order, np.concatenate([[np.inf], gap]))
 
     @property

@@ -26,7 +26,7 @@ def together(at: Fit) -> Repeats | None:
     None where it is neither. Physics that was left out looks like it too, where neighbouring rows are neighbouring
     poses or times, and where it moves readings along one axis: which of the two it is, a comparison of both tells.
     """
-    series = Series.of(at.problem.readings)
+    series = Series.of(at.problem.readings, at.problem.recording)
     if series is None or len(series.order) < 2:
         return None
     found, _ = _suited(at, series, len(at.problem.scale))
@@ -78,7 +78,7 @@ def deviance_of(at: Fit) -> float:
     gross error counts as a reading of as much more noise as it is off. Readings of two rows stand in no order, and
     their noise is each one's own.
     """
-    series = Series.of(at.problem.readings)
+    series = Series.of(at.problem.readings, at.problem.recording)
     if series is None:
         found = float((_rows(at, at.residual) ** 2).sum())
     else:
