@@ -79,6 +79,21 @@ def test_white_noise_is_white_however_far_a_machine_is_off_its_drawing(far: floa
     assert alone - near == pytest.approx(k * far**2, rel=1e-2)
 
 
+def test_what_a_prior_holds_off_is_no_noise_that_hangs_together() -> None:
+    """Readings without noise leave what parameters that they hardly see are held from: that has a size of its own."""
+    n, k = 29, 21
+    rng = np.random.default_rng(6)
+    U, V = (np.linalg.qr(rng.standard_normal(shape))[0] for shape in ((n, n), (k, k)))
+    size = np.geomspace(1e3, 1e-3, k)
+    known = ((U[:, :k] * size) @ V.T).reshape(n, 1, k)
+    taken = Taken(known, 0.3 * rng.standard_normal(k), np.zeros((n, 1, 0)))
+    left = (U[:, k - 4 : k] @ np.array([0.3, -0.8, 1.4, -4.0])).reshape(n, 1)
+    whole = Series(np.arange(n), np.concatenate([[np.inf], np.ones(n - 1)]))
+    alone = whole.deviance(left, taken)
+    assert abs(alone) < 1000
+    assert alone - whole.likeliest(left, taken)[1] < 10
+
+
 def test_white_noise_is_white() -> None:
     z = np.random.default_rng(5).standard_normal((100, 3))
     whole = Series(np.arange(100), np.concatenate([[np.inf], np.ones(99)]))

@@ -25,9 +25,9 @@ OWN = (0.1, 0.3, 0.5, 0.7, 0.9)  # parts of the variance that are each row's own
 REFINED = 6  # times that the steps between those are halved
 OWN_PRICE = 6.6  # of the deviance: what a part of each row's own must explain; chance does in one of a hundred
 SIZES = np.geomspace(0.5, 2.0, 21)  # of noise that are tried, in the one that what each direction leaves speaks for
-SETTLING = 10  # rounds to that one, from what readings leave that no parameter could take
+SETTLING = 10  # rounds to that one
 SORTED = 0.2  # of the rows of a file, that are earlier than the one before: it is not in the order of reading
-UNSEEN = 1e-12  # of the largest eigenvalue: less is no direction that readings see
+UNSEEN = 1e-6  # of the largest singular value: less is no direction that readings see
 FAINT = 1e-6  # weight below which a reading counts for nothing
 DEFINITE = 1e-12  # of the variance: keeps a factor real where rounding would not
 TINY = 1e-300  # of what readings without any error leave
@@ -213,18 +213,17 @@ class Series:
         both = np.column_stack([A, e])
         both -= Q @ (Q.T @ both)
         A, e = both[:, :-1], both[:, -1]
-        size, V = np.linalg.eigh(A.T @ A)
-        seen = size > UNSEEN * size.max(initial=0.0)  # of joints without a drawing the instrument alone is unknown
-        V, size = V[:, seen], size[seen]
-        along = V.T @ (A.T @ e)
-        rest = float(e @ e)
-        rest, free = max(rest - float((along**2 / size).sum()), DEFINITE * rest, TINY), len(e) - M.shape[1]
-        inside = (along - size * (V.T @ taken.toward)) ** 2 / size
-        spare = max(free - len(size), 0)
-        about = rest / spare if spare else float(rest + inside.sum()) / max(free, 1)
-        for _ in range(SETTLING):  # where the slope of the likelihood by the size is nothing
+        A, inner = np.linalg.qr(A)
+        U, root, V = np.linalg.svd(inner)
+        seen = root > UNSEEN * root.max(initial=0.0)  # of joints without a drawing the instrument alone is unknown
+        A, root = A @ U[:, seen], root[seen]
+        along, size = A.T @ e, root**2
+        rest, free = max(float(np.sum((e - A @ along) ** 2)), TINY), len(e) - M.shape[1]
+        inside = (along - root * (V[seen] @ taken.toward)) ** 2
+        about = max(float(e @ e), TINY) / max(free, 1)  # what the fit leaves is near to it, wherever the machine stands
+        for _ in range(SETTLING):  # to where the slope of the likelihood by the size is nothing
             noise = about / (about + size)
-            about = (rest + (inside * noise**2).sum()) / (spare + noise.sum())
+            about = (rest + (inside * noise**2).sum()) / max(free - len(size) + noise.sum(), DEFINITE)
         s = about * SIZES[:, None] ** 2
         each = free * np.log(s[:, 0]) + np.log1p(size / s).sum(axis=1)
         each += rest / s[:, 0] + (inside / (s + size)).sum(axis=1)
