@@ -255,7 +255,8 @@ class Ladder:
             more = [*chosen, rest[n]]
             if rest[n] in self.impossible(more, folds):
                 continue
-            if self.gain(more, rest[n], folds) > self.charge(rest[n]):
+            # where another rung lacks beside it a fit counts few samples, and only what it foretells is of it alone
+            if any(earned(more, rest[n], folds) > self.charge(rest[n]) for earned in (self.gain, self.foretells)):
                 return rest[n]
         return None
 
