@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from deltacal_gen.motion.common import asked_in_common
 from deltacal_gen.motion.fit import Fit, climbed, fitted
 from deltacal_gen.motion.joint import USUAL
 from deltacal_gen.motion.ladder import BUYS
@@ -87,7 +88,7 @@ def _climbed(session: Session, progress: Progress) -> list[Fit]:
     for joint in session.moving:
         progress(f"joint {joint.number}")
         found.append(with_lag(climbed(joint)))
-    return found
+    return asked_in_common(found, session.rigid.dynamics.joint_units)
 
 
 def beside(session: Session, fits: Sequence[Fit]) -> list[Fit]:

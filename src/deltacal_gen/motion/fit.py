@@ -112,6 +112,23 @@ class Fit:
         F = self.joint.columns(self.rungs, self.load)[:, self.joint.X.shape[1] :]
         return np.asarray(X - F @ np.linalg.lstsq(F, X, rcond=MADE_UP)[0])
 
+    def ladder(self, more: Sequence[Rung] = ()) -> Ladder:
+        """Return the ladder of what the fit has and of further rungs, to be asked what each is worth beside others."""
+        joint, rungs = self.joint, (*self.rungs, *more)
+        X, rigid = joint.columns(rungs, self.load), joint.X.shape[1]
+        bench, at = Bench.of(X, joint.y, joint.fold, rigid), columns_of(rungs, rigid)
+        return Ladder(bench, rungs, at, X, joint.y, joint.correlated, joint.held, sense=joint.sense)
+
+    def with_worth(self) -> Fit:
+        """Return the fit with what each rung is worth beside the others, and what others would do beside all."""
+        ladder, every = self.ladder(self.joint.candidates), range(len(self.rungs))
+        return dataclasses.replace(
+            self,
+            bought=tuple(ladder.buys(every, k, ladder.bench.folds) for k in every),
+            gains=tuple(ladder.gain(every, k, ladder.bench.folds) for k in every),
+            passed_over=ladder.passed_over(every, ladder.bench.folds),
+        )
+
     @property
     def sigma(self) -> float:
         """Standard deviation of residuals, for the coefficients that were fitted."""

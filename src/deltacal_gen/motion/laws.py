@@ -21,7 +21,7 @@ from scipy.optimize import minimize
 
 from deltacal_gen.motion.fit import Fit, fitted
 from deltacal_gen.motion.joint import OFFSET
-from deltacal_gen.motion.ladder import BEGUN_WITH, BUYS, PER_COEFFICIENT, Ladder, columns_of
+from deltacal_gen.motion.ladder import BEGUN_WITH, BUYS, PER_COEFFICIENT
 from deltacal_gen.motion.library import LOAD, Rung
 from deltacal_gen.motion.regression import BETWEEN, Bench
 from deltacal_gen.motion.unexplained import SHOWS, Rest, channels, rest
@@ -142,29 +142,13 @@ def _law(fit: Fit, sigma: float | None) -> Lawful | None:
         after = _refitted(fit, kept, terms)
     if rest(after, sigma) is not None:
         return None
-    ladder = _ladder(after, after.joint.candidates)
-    all_of, of_folds = range(len(after.rungs)), ladder.bench.folds
-    after = replace(
-        after,
-        bought=tuple(ladder.buys(all_of, k, of_folds) for k in all_of),
-        gains=tuple(ladder.gain(all_of, k, of_folds) for k in all_of),
-        passed_over=ladder.passed_over(all_of, of_folds),
-    )
     read = {state: limits[state] for form in forms for state in load_law(_name(form)).STATE}
-    return Lawful(after, forms, read, gain, charge, *proof, alike, _std(after, forms, limits))
-
-
-def _ladder(fit: Fit, more: Sequence[Rung]) -> Ladder:
-    """Return the ladder of what a fit has and of further rungs, to be asked what each is worth beside the others."""
-    joint, rungs = fit.joint, (*fit.rungs, *more)
-    X, rigid = joint.columns(rungs, fit.load), joint.X.shape[1]
-    bench = Bench.of(X, joint.y, joint.fold, rigid)
-    return Ladder(bench, rungs, columns_of(rungs, rigid), X, joint.y, joint.correlated, joint.held, sense=joint.sense)
+    return Lawful(after.with_worth(), forms, read, gain, charge, *proof, alike, _std(after, forms, limits))
 
 
 def _needed(fit: Fit, terms: Sequence[Rung]) -> list[int]:
     """Return which rungs of a fit still pay beside a law: what stood for it before is no effect of its own."""
-    ladder = _ladder(fit, terms)
+    ladder = fit.ladder(terms)
     return [k for k in ladder.needed([*range(len(ladder.rungs))], ladder.bench.folds) if k < len(fit.rungs)]
 
 
