@@ -282,9 +282,26 @@ def test_readings_that_come_late_need_no_speeds_in_the_file(tmp_path: Path, name
     (tmp_path / "recording.toml").write_text(f'[measurement]\nkind = "position"\nsigma_mm = {NOISE}\n')
     (tmp_path / "robot.toml").write_text(robot_to_toml(ROBOT))
     found = dc.diagnose(tmp_path / "robot.toml", tmp_path / "recording.csv", model="delta/18")
-    assert [e["name"] for e in found["effects"]] == ["latency"]
+    assert [(e["name"], e["indistinguishable_from"]) for e in found["effects"]] == [("latency", [])]
     (delay,) = found["effects"][0]["parameters"]
     assert abs(delay["value"] - 0.012) < 4 * delay["std"] < 1e-3
+
+
+def test_a_joint_that_lags_the_others_is_named_and_they_are_not(tmp_path: Path) -> None:
+    """The second joint does 15 ms later what is read of it; where all do, that is one delay: see the test before."""
+    rng, t, rows = np.random.default_rng(100), np.arange(0.5, 3.5, 0.01), list[Any]()
+    for seed, name in enumerate(("1", "2"), start=2):
+        path = swings(seed)
+        q = np.column_stack([path(t)[:, 0], path(t - 0.015)[:, 1], path(t)[:, 2]])
+        x = read_at(q, plausible(DELTA, seed=3), rng)
+        rows += [[name, *row] for row in np.column_stack([t, path(t) / DEG, x])]
+    table(tmp_path / "recording.csv", ["run", "time_s", *Q, *X], list(zip(*rows, strict=True)))
+    (tmp_path / "recording.toml").write_text(f'[measurement]\nkind = "position"\nsigma_mm = {NOISE}\n')
+    (tmp_path / "robot.toml").write_text(robot_to_toml(ROBOT))
+    found = dc.diagnose(tmp_path / "robot.toml", tmp_path / "recording.csv", model="delta/18")
+    assert [(e["name"], e["limbs"]) for e in found["effects"]] == [("joint_latency", [2])]
+    (delay,) = found["effects"][0]["parameters"]
+    assert abs(delay["value"] - 0.015) < 4 * delay["std"] < 1e-3
 
 
 def test_a_joint_that_twists_with_acceleration_needs_none_in_the_file(tmp_path: Path) -> None:

@@ -228,7 +228,7 @@ SETS = [
     ("backlash", "thermal_zero", "zero_drift", "zero_jump"),  # closed forms alone
     ("transmission_eccentricity", "joint_scale", "joint_compliance"),
     ("thermal_growth", "proximal_bending", "base_compliance", "backlash"),
-    ("latency", "inertial_deflection"),  # nothing of a machine at rest
+    ("latency", "joint_latency", "inertial_deflection"),  # nothing of a machine at rest
 ]
 
 

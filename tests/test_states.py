@@ -29,6 +29,7 @@ from deltacal_gen.use.spans import Spans
 from derive import compiler
 from derive.effects import constant, covariate, joint_coefficient, state
 from derive.effects.joint_compliance import EFFECT as SPRING
+from derive.effects.latency import EFFECT as LATENCY
 from derive.language.effects import IN_MOTION, IN_POSES, Effect, Orders, Points, Reference, Travels
 from derive.language.memory import Memory
 from tests.every_effect import body_of, channels, declared, machines
@@ -227,6 +228,7 @@ REFUSED: dict[str, dict[str, Any]] = {
     r"gives the states \['q'\].*has \['torque'\]": {"tests": (Reference({"q": 1.0}, {"soft": 0.1}, {"joint": 0.1}),)},
     "beyond what is believable": {"tests": (Reference({"torque": 1.0}, {"soft": -0.1}, {"joint": -0.1}),)},
     "it does not become joint_compliance where its size is large": {"extends": SPRING},
+    "it does not become latency where all limbs are alike": {"extends": LATENCY},
     "the believable range of soft": {"coefficients": (dataclasses.replace(SOFT, believable=(0.1, 1.0)),)},
 }
 

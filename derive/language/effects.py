@@ -172,7 +172,8 @@ class Effect:
     memory : tuple of Memory
         States that follow from what happened before. A `Lag` in the targets becomes one.
     extends : Effect, optional
-        What it becomes where the size that is searched grows without bound: that is named unless readings refuse it.
+        What it becomes where the size that is searched grows without bound, or where all limbs are alike: that is named
+        unless readings refuse it.
 
     Raises
     ------
@@ -317,13 +318,15 @@ class Effect:
         if self.extends is None:
             return
         sizes = {s.constant.symbol for s in self.searched if isinstance(s, Sizes)}
+        becomes = bool(sizes) or (self.per_limb and not self.extends.per_limb)
         without = {size: sp.Dummy(positive=True) for size in sizes}
         for target in self.targets.keys() | self.extends.targets.keys():
             e = self.targets.get(target, sp.Integer(0)).subs(without)
             for size in without.values():
                 e = sp.limit(e, size, sp.oo)
-            if not sizes or sp.simplify(e - self.extends.targets.get(target, 0)) != 0:
-                raise ValueError(f"it does not become {self.extends.name} where its size is large: {target} is {e}.")
+            if not becomes or sp.simplify(e - self.extends.targets.get(target, 0)) != 0:
+                where = "its size is large" if sizes or not becomes else "all limbs are alike"
+                raise ValueError(f"it does not become {self.extends.name} where {where}: {target} is {e}.")
 
     def _check_state(self, s: State) -> None:
         if s.kind == "reading" and self.acts_on != "reading":

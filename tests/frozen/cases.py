@@ -270,6 +270,7 @@ GEARED = {  # amplitudes on the demonstration's machine that stand well above 0.
     "joint_compliance": "limb = 1\ncompliance = 0.006",
     "joint_coupling": "limb = 3\ncoupling = 0.0015\nof = 1",
     "joint_scale": "limb = 3\nscale = 0.002",
+    "joint_latency": "limb = 2\ndelay = 0.002",
     "latency": "delay = 0.002",
     "part_tilt": 'limb = 2\ntilt_x = 0.03\ntilt_y = -0.02\nof = "level_mrad"',
     "payload_deflection": "limb = 2\ncompliance = 0.008",
@@ -332,7 +333,7 @@ def _geared(name: str) -> Callable[[Path], None]:
         files = _example("gearbox")
         poses: dict[str, Sequence[object] | np.ndarray] = dict(_read(EXAMPLES / "gearbox" / "poses.csv"))
         rng, n = np.random.default_rng(11), len(poses["pose"])
-        if name in ("latency", "inertial_deflection"):
+        if name in ("latency", "joint_latency", "inertial_deflection"):
             poses |= {f"qd{i}_deg_s": (60 * rng.standard_normal(n)).round(2) for i in (1, 2, 3)}
             poses |= {f"qdd{i}_deg_s2": (800 * rng.standard_normal(n)).round(1) for i in (1, 2, 3)}
         if name == "part_tilt":

@@ -16,6 +16,7 @@ EFFECTS = (
     "joint_axis_runout",
     "joint_compliance",
     "joint_coupling",
+    "joint_latency",
     "joint_scale",
     "joint_tilt_compliance",
     "latency",

@@ -179,7 +179,7 @@ def named_of(
             continue  # told by itself
         freed = search.freed(*places)
         score = freed.gain(freed.columns_of(*own)) - search.price(*own)
-        rivals = [f for f in freed.ranked() if f.term.effect != own[0].effect and f.score > score - AMBIGUOUS]
+        rivals = [f for f in freed.ranked() if not _is_as_well(f.term, own[0]) and f.score > score - AMBIGUOUS]
         unrecorded = _unrecorded(freed, own[0], score)
         lead = min((score - f.score for f in rivals), default=np.inf)
         others = tuple(f.term for f in rivals)
@@ -198,6 +198,11 @@ def named_of(
     removed = float(np.clip((before**2 - after**2) / max(before**2 - sigma**2, 1e-300), 0.0, 1.0))
     total = sum(n.gain for n in out) + (sum(spectrum.gains.values()) if spectrum else 0.0)
     return tuple(dataclasses.replace(n, share=removed * n.gain / total) for n in out)
+
+
+def _is_as_well(rival: Term, own: Term) -> bool:
+    """Tell whether a rival is the effect itself, or is it wherever limbs are alike: that tells of nothing else."""
+    return rival.effect == own.effect or (own.effect == rival.kernels.EXTENDS and not rival.kernels.SEARCHED)
 
 
 def _unrecorded(freed: Search, term: Term, score: float) -> tuple[str, ...]:

@@ -46,12 +46,14 @@ def _unnamed(search: Search, cause: frozenset[str], named: Sequence[Term]) -> li
     """Return the columns of effects of a cause that are not in a fit.
 
     What moves the same part of the same limb as a named effect stands instead of it, not beside it: a joint yields in
-    one way. Effects of which a constant is searched are not there all the time, and shift nothing that is.
+    one way; so does the simpler effect that a named one extends. Effects of which a constant is searched are not there
+    all the time, and shift nothing that is.
     """
+    within = {t.kernels.EXTENDS for t in named}
     taken = {(limb, t.kernels.TARGETS) for t in named for limb in carriers_of(t) or (None,)}
     out: list[int] = []
     for term in search.terms:
-        if term.kernels.CONSTANTS or not _cause(term) & cause:
+        if term.kernels.CONSTANTS or term.effect in within or not _cause(term) & cause:
             continue
         start, width = search.where(term)[0], term.values.shape[1]
         for row, limb in enumerate(carriers_of(term) or (None,)):
