@@ -155,11 +155,7 @@ def fitted(joint: Joint, some: Sequence[Rung], held_out: Array | None = None) ->
     covariance = bench.covariance(each) * variance * count / np.outer(bench.scale, bench.scale)
     std = np.sqrt(np.maximum(np.diag(covariance), 0.0))
     if held_out is None:
-        held_out = np.full(len(left), np.nan)
-        for fold in bench.folds:
-            own = joint.held == fold
-            apart = bench.fit(every, [f for f in bench.folds if f != fold]) / bench.scale[every]
-            held_out[own] = joint.y[own] - X[own] @ apart
+        held_out = bench.left_apart(X, joint.y, joint.held, every, bench.folds)
     rigid = joint.X.shape[1]
     load = np.asarray(joint.X @ found[:rigid] + joint.carried)
     sized = tuple(std[len(found) :])
@@ -249,8 +245,7 @@ def _apart(joint: Joint, ladder: Ladder, others: Sequence[int], own: np.ndarray)
     ladder, chosen = _climbed_by(joint, _with_rungs(joint, ladder, by_load, load), load, others)
     _, columns = _by_own_load(joint, [ladder.rungs[k] for k in chosen], load, others)
     apart, every = Bench.of(columns, joint.y, joint.fold, joint.X.shape[1]), range(columns.shape[1])
-    found = apart.with_ridge(every, others).fit(every, others) / apart.scale
-    return np.asarray(joint.y[own] - columns[own] @ found)
+    return apart.with_ridge(every, others).left(columns[own], joint.y[own], every, others)
 
 
 def _climbed_by(joint: Joint, ladder: Ladder, load: Array, folds: Sequence[int]) -> tuple[Ladder, list[int]]:

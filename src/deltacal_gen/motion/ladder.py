@@ -172,13 +172,9 @@ class Ladder:
 
     def apart(self, chosen: Sequence[int], folds: Sequence[int]) -> Array:
         """Return residuals (M,) of samples of some folds, each by a fit of some rungs to the others; 0 elsewhere."""
-        columns, out = self.columns(chosen), np.zeros(len(self.y))
+        columns = self.columns(chosen)
         bench = self.bench.with_ridge(columns, folds)
-        for fold in folds:
-            own = self.held == fold
-            found = bench.fit(columns, [f for f in folds if f != fold]) / bench.scale[columns]
-            out[own] = self.y[own] - self.X[np.ix_(own, columns)] @ found
-        return out
+        return np.nan_to_num(bench.left_apart(self.X, self.y, self.held, columns, folds))
 
     def impossible(self, chosen: Sequence[int], folds: Sequence[int]) -> list[int]:
         """Return the rungs that a fit gives a coefficient below zero, where its effect has none: no drive has that."""

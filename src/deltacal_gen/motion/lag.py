@@ -77,7 +77,7 @@ def _apart(joint: Joint, rungs: Sequence[Rung], folds: Sequence[int]) -> np.ndar
     """Return what a fit to some folds leaves of all samples (M,)."""
     X = _columns(joint, rungs)
     bench, every = Bench.of(X, joint.y, joint.fold, joint.X.shape[1]), range(X.shape[1])
-    return np.asarray(joint.y - X @ (bench.with_ridge(every, folds).fit(every, folds) / bench.scale))
+    return bench.with_ridge(every, folds).left(X, joint.y, every, folds)
 
 
 def _size(fit: Fit) -> float:

@@ -156,6 +156,18 @@ class Bench:
         G[np.diag_indices_from(G)] += np.where(at < self.rigid, self.ridge if ridge is None else ridge, RIDGES[0]) * n
         return _solved(G, g)
 
+    def left(self, X: Array, y: Array, columns: Sequence[int], folds: Sequence[int]) -> Array:
+        """Return what a fit of columns to some folds leaves of samples (M,), X (M, p) unscaled."""
+        return np.asarray(y - X[:, columns] @ (self.fit(columns, folds) / self.scale[list(columns)]))
+
+    def left_apart(self, X: Array, y: Array, held: np.ndarray, columns: Sequence[int], folds: Sequence[int]) -> Array:
+        """Return what is left of samples (M,) of some folds, each by a fit to the others; nan of all other samples."""
+        out = np.full(len(y), np.nan)
+        for fold in folds:
+            own = held == fold
+            out[own] = self.left(X[own], y[own], columns, [f for f in folds if f != fold])
+        return out
+
     def error(self, columns: Sequence[int], coefficients: Array, folds: Sequence[int]) -> float:
         """Return the sum of squares that coefficients leave on some folds."""
         G, g = self._of(columns, folds)
