@@ -312,8 +312,12 @@ def test_what_changed_between_two_days_is_told_joint_by_joint(tmp_path: Path, di
 
 def test_a_model_predicts_samples_it_has_not_seen(tmp_path: Path, diagnosed: Any) -> None:
     path = written(tmp_path, usual, runs=1, seed=7, seconds=8.0)
-    found = dc.validate(diagnosed.to_dict(), path)
+    found = dc.validate(diagnosed.to_dict(), path, report=tmp_path / "validation.html")
     assert all(NOISE * 0.9 < v < NOISE * 1.2 for v in found["rms_by_joint"])
+    page = (tmp_path / "validation.html").read_text()
+    assert page.count("<svg") == 2 * 3  # of each joint over time, and against what its error may depend on
+    assert found.headline in page
+    assert "no check of it" not in page
     bare = tmp_path / "bare.csv"
     lines = path.read_text().splitlines()
     bare.write_text("\n".join(",".join(line.split(",")[:5]) for line in lines) + "\n")

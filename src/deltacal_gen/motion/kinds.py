@@ -20,7 +20,14 @@ from deltacal_gen.motion import trajectories
 from deltacal_gen.motion.trajectories import Sidecar, Trajectories
 from deltacal_gen.physics.law import is_law
 from deltacal_gen.physics.terms import drive_effect_names, load_effect
-from deltacal_gen.results.motion import InertialParameter, MotionDiagnosis, MotionModel, MotionResult, MotionValidation
+from deltacal_gen.results.motion import (
+    InertialParameter,
+    MotionDiagnosis,
+    MotionModel,
+    MotionResult,
+    MotionValidation,
+    Trace,
+)
 from deltacal_gen.results.reader import TORQUE
 from deltacal_gen.states import TIME
 from deltacal_gen.units import joint_factors, joint_names
@@ -134,6 +141,12 @@ class Torque:
         from deltacal_gen.motion.prediction import validated
 
         return validated(known, self._as_known(known, need_measured=True))
+
+    def drawn(self, known: MotionResult | MotionDiagnosis) -> tuple[Trace, ...]:
+        """Return what a page of such a validation draws, joint by joint."""
+        from deltacal_gen.motion.traces import unseen
+
+        return unseen(known, self._as_known(known, need_measured=True))
 
 
 InMotion = TypeVar("InMotion", MotionResult, MotionDiagnosis)

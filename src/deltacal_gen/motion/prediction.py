@@ -55,6 +55,7 @@ def predicted(known: MotionModel, given: Trajectories, *, bands: bool = False) -
     units = tuple(column.rpartition("_")[2] if "_" in column else "1" for column in known.columns)
     done = dataclasses.replace(given, columns=known.columns, units=units)
     out, outside = np.full(given.joints.shape, np.nan), np.zeros(given.n_rows, dtype=bool)
+    loads = out.copy()
     half = np.full(given.joints.shape, np.nan) if bands else None
     for j, model in models.items():
         late = functools.partial(earlier, delay=model.delay or 0.0, time=given.time, piece=given.piece)
@@ -65,11 +66,12 @@ def predicted(known: MotionModel, given: Trajectories, *, bands: bool = False) -
         moving = np.abs(late(found.states[1, :, j - 1])) > model.at_rest_below
         out[:, j - 1] = np.where(moving, value / done.readouts[j - 1].inside, np.nan)
         read = read | {LOAD: load_of(model, *own)}
+        loads[:, j - 1] = np.where(moving, read[LOAD] / done.readouts[j - 1].inside, np.nan)
         outside |= moving & beyond_laws(model, read)
         if half is not None:
             by = own[0] if model.payload is None else np.column_stack(own[:2])
             half[:, j - 1] = half_width(model, read, past, by, given) / done.readouts[j - 1].inside
-    return dataclasses.replace(done, readings=out, outside=outside, half=half)
+    return dataclasses.replace(done, readings=out, outside=outside, load=loads, half=half)
 
 
 def beyond_laws(model: JointModel, states: dict[str, Array]) -> np.ndarray:

@@ -1,4 +1,4 @@
-"""Some samples of each joint, to be drawn: what was read, and what a model says, before and after."""
+"""Some samples of each joint, to be drawn: what was read, and what a model says, before and after, or unseen."""
 
 from __future__ import annotations
 
@@ -7,9 +7,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from deltacal_gen.motion.derivatives import motion
 from deltacal_gen.motion.fit import Fit
-from deltacal_gen.results.motion import Trace
-from deltacal_gen.units import joint_factors
+from deltacal_gen.motion.prediction import predicted
+from deltacal_gen.motion.trajectories import Trajectories
+from deltacal_gen.results.motion import MotionModel, Trace
+from deltacal_gen.units import joint_factors, of_joints
 
 if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Array
@@ -33,7 +36,7 @@ def _of_joint(session: Session, before: Fit, after: Fit, factor: float) -> Trace
     measured = session.given.readings[:, joint.number - 1]
     errors = [_everywhere(fit, len(measured)) / unit for fit in (before, after)]
     window = _window(joint.rows, joint.piece)
-    some = joint.rows[np.unique(np.linspace(0, len(joint.rows) - 1, SPREAD).astype(int))]
+    some = _spread(joint.rows)
     load = np.full(len(measured), np.nan)
     load[joint.rows] = after.load / unit
     states = joint.series.states
@@ -51,6 +54,42 @@ def _of_joint(session: Session, before: Fit, after: Fit, factor: float) -> Trace
         error_before=errors[0][some],
         error_after=errors[1][some],
     )
+
+
+def unseen(known: MotionModel, given: Trajectories) -> tuple[Trace, ...]:
+    """Return what is drawn of each joint of which a model predicts samples that it has not seen: before is after."""
+    done, states = predicted(known, given), motion(given, known.motion.cutoff_Hz).states
+    assert done.load is not None
+    factors = joint_factors(given.joint_unit, given.joints.shape[1])
+    left, found = given.readings - done.readings, []
+    for j, rows in enumerate(np.flatnonzero(there) for there in np.isfinite(left).T):
+        if not len(rows):
+            continue
+        window = _window(rows, given.piece)
+        some = _spread(rows)
+        model = done.readings[window, j]
+        found.append(
+            Trace(
+                limb=j + 1,
+                unit=done.units[j],
+                slides=of_joints(given.joint_unit, given.joints.shape[1])[j] == "mm",
+                time=given.time[window],
+                measured=given.readings[window, j],
+                before=model,
+                after=model,
+                speed=states[1, some, j] / factors[j],
+                position=states[0, some, j] / factors[j],
+                load=done.load[some, j],
+                error_before=left[some, j],
+                error_after=left[some, j],
+            )
+        )
+    return tuple(found)
+
+
+def _spread(rows: np.ndarray) -> np.ndarray:
+    """Return some of the samples, over the whole recording."""
+    return rows[np.unique(np.linspace(0, len(rows) - 1, SPREAD).astype(int))]
 
 
 def _everywhere(fit: Fit, count: int) -> Array:

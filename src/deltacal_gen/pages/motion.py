@@ -17,7 +17,16 @@ from deltacal_gen.pages import laws, report
 from deltacal_gen.pages.figures import AFTER, BEFORE, MUTED
 from deltacal_gen.physics.terms import load_effect
 from deltacal_gen.results.diagnosis import Verdict
-from deltacal_gen.results.motion import LadderOf, MotionDiagnosis, MotionResult, TorqueEffect, Trace, by_joint
+from deltacal_gen.results.motion import (
+    LadderOf,
+    MotionDiagnosis,
+    MotionResult,
+    MotionValidation,
+    TorqueEffect,
+    Trace,
+    by_joint,
+)
+from deltacal_gen.results.parts import Source
 
 _VERDICTS = {
     Verdict.ADEQUATE: "nothing is missing",
@@ -79,6 +88,34 @@ def motion(found: MotionResult | MotionDiagnosis) -> str:
             for p in found.parameters
         ],
     )
+
+
+def validation(found: MotionValidation, traces: Sequence[Trace], *, seen: bool = False) -> str:
+    """Return the page of a validation in motion; `seen` samples are those that the model was made of."""
+    each = zip(
+        found.rms_by_joint,
+        found.rms_by_joint_filtered,
+        found.noise.sigma_by_joint,
+        found.unit_by_joint,
+        strict=True,
+    )
+    return report.page_of(
+        "validation_in_motion",
+        title="Validation in motion",
+        found=found,
+        headline=found.headline,
+        seen=seen,
+        errors=[(str(j), *map(_figure, values), unit) for j, (*values, unit) in enumerate(each, 1)],
+        noise="as declared" if found.noise.source == Source.DECLARED else "as the model's own recording left it",
+        time=[_picture(f"joint {t.limb}", partial(over_time, trace=t, bare=True)) for t in traces],
+        against=[{"title": f"joint {t.limb}", "svg": _panels(t, bare=True)} for t in traces],
+        rows=[(str(row.line), str(row.limb), f"{row.error:.4g}", row.unit) for row in found.rows],
+        files=[file.name for file in found.made.inputs] if found.made else [],
+    )
+
+
+def _figure(value: float | None) -> str:
+    return "-" if value is None else f"{value:.4g}"
 
 
 def _lead(found: MotionResult | MotionDiagnosis) -> str:
@@ -146,9 +183,7 @@ def _heldout(found: MotionResult | MotionDiagnosis) -> list[tuple[str, ...]]:
         after.unit_by_joint,
         strict=True,
     )
-    return [
-        (str(j), *("-" if v is None else f"{v:.4g}" for v in values), unit) for j, (*values, unit) in enumerate(rows, 1)
-    ]
+    return [(str(j), *map(_figure, values), unit) for j, (*values, unit) in enumerate(rows, 1)]
 
 
 def _picture(title: str, draw: partial[None]) -> dict[str, str]:

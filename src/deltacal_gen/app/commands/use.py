@@ -31,8 +31,8 @@ from deltacal_gen.motion.kinds import columns_of
 from deltacal_gen.physics.ranges import in_words
 from deltacal_gen.results.certificate import Certificate, Party
 from deltacal_gen.results.diagnosis import Diagnosis
-from deltacal_gen.results.motion import MotionModel, put_right
-from deltacal_gen.results.parts import InputFile
+from deltacal_gen.results.motion import MotionDiagnosis, MotionModel, MotionResult, MotionValidation, put_right
+from deltacal_gen.results.parts import InputFile, Made
 from deltacal_gen.results.reader import Given
 from deltacal_gen.results.result import Result
 from deltacal_gen.use.known import known_model, known_result
@@ -325,16 +325,14 @@ def validate(result: Given, recording: AnyRecording, report: Source | None = Non
     """Return the error of a calibrated model on readings it has not seen, against the noise.
 
     `report` is one self-contained HTML page of the same. Of a recording in motion the answer is a
-    `results.motion.MotionValidation`, without a page.
+    `results.motion.MotionValidation`.
     """
     from deltacal_gen.use import validation
 
     check_output(report, result, recording, ending=(".html",))
     known = known_model(result)
     if isinstance(known, MotionModel):
-        if report is not None:
-            raise UsageError("there is no page of a validation in motion; leave report out.")
-        return cast("Validation", _moving(recording).validate(known).replace(made=made(result, recording)))
+        return cast("Validation", _validated_in_motion(known, recording, report, made(result, recording)))
     robot = validation.calibrated_robot(known)
     given = as_known(known, recording, robot)
     found = validation.validate(known, given).replace(made=made(result, recording, measured=given))
@@ -343,6 +341,20 @@ def validate(result: Given, recording: AnyRecording, report: Source | None = Non
 
         inputs, fitted = (of.inputs if of else () for of in (found.made, known.made))
         write_files({Path(report): page.page(found, seen=_seen(inputs, fitted) is not None)})
+    return found
+
+
+def _validated_in_motion(
+    known: MotionResult | MotionDiagnosis, recording: AnyRecording, report: Source | None, made_by: Made
+) -> MotionValidation:
+    """Return how far off a model is on a recording in motion, and write its page where one is asked for."""
+    moving = _moving(recording)
+    found = moving.validate(known).replace(made=made_by)
+    if report is not None:
+        from deltacal_gen.pages import motion as page
+
+        seen = _seen(made_by.inputs, known.made.inputs if known.made else ())
+        write_files({Path(report): page.validation(found, moving.drawn(known), seen=seen is not None)})
     return found
 
 
