@@ -12,7 +12,7 @@ from deltacal_gen.diagnosis.laws.profile import refine
 from deltacal_gen.diagnosis.laws.remainder import with_remainder
 from deltacal_gen.diagnosis.laws.screen import price
 from deltacal_gen.diagnosis.laws.search import placed
-from deltacal_gen.diagnosis.laws.shape import _runs_away, shaped
+from deltacal_gen.diagnosis.laws.shape import _runs_away, reread, shaped
 from deltacal_gen.diagnosis.refits import refitted
 from deltacal_gen.estimation.fit import fit
 from deltacal_gen.estimation.fitted import Fit
@@ -104,6 +104,16 @@ def test_a_state_that_modulates_a_law_is_found() -> None:
     ground.term(found.target, found.form, found.limbs)  # its text is a law
 
 
+def test_a_curve_of_a_state_that_nearly_goes_with_the_right_one_is_told_of_that() -> None:
+    """What the arm is pulled by explains most of a function of the torque, and more with every part."""
+    ground, tried = straight(law("joint = c1*tanh((torque - c2)/c3)", 1e-3, -5000.0, 2500.0))
+    pull = grammar.Atom("tanh((pull_v - {0})/{1})", (-8.0, 6.0), 5)
+    wrong = shaped(ground, dataclasses.replace(tried, form=grammar.single("pull_v", pull)))
+    found = reread(ground, wrong)
+    assert found.form.states == ("torque",)
+    assert reread(ground, found) is found
+
+
 def test_products_count_from_within_the_range_of_a_state() -> None:
     far, near = np.linspace(40.0, 50.0, 30), np.linspace(-5.0, 5.0, 30)
     assert [a.text for a in grammar.linear("oil_C", far)] == ["oil_C", "(oil_C - {0})", "Abs(oil_C - {0})"]
@@ -142,9 +152,9 @@ def _fitted(form: str, *truth: Term, constants: tuple[float, ...] = ()) -> tuple
     return at, tried
 
 
-def _error(at: Fit, *truth: Term) -> float:
-    """Return the error [mm] of a fit in readings that it has not seen, exact ones."""
-    fresh = record(ROBOT, *truth, n=N, seed=9, sigma=0.0, of={k: v[::-1] for k, v in OF.items()})
+def _error(at: Fit, *truth: Term, of: dict[str, np.ndarray] | None = None) -> float:
+    """Return the error [mm] of a fit in readings that it has not seen, exact ones, at some values of channels."""
+    fresh = record(ROBOT, *truth, n=N, seed=9, sigma=0.0, of={k: v[::-1] for k, v in OF.items()} | (of or {}))
     count = sum(t.n_coefficients for t in at.problem.terms)
     problem = pose_problem(ROBOT, fresh, at.problem.names).with_terms(at.problem.terms, np.ones(count))
     return rms(problem.residual(at.errors, at.instrument, problem.poses(at.errors)))
@@ -174,7 +184,7 @@ def test_of_a_product_each_curve_may_leave_something() -> None:
     at = refitted(ground.problem, ground.fit, [ground.term("joint", product, (LIMB,))])
     assert at is not None
     whole = with_remainder(at, [tried])
-    assert any("exp(-((oil_C" in t.effect and "payload" in t.effect for t in whole.problem.terms)
+    assert any("(oil_C - " in t.effect and "payload" in t.effect for t in whole.problem.terms)
     assert _error(whole, truth) < 0.7 * _error(at, truth)
 
 
@@ -185,6 +195,16 @@ def test_what_another_state_changes_of_a_law_is_predicted_though_too_little_to_b
     whole = with_remainder(at, [tried])
     assert any("oil_C" in t.effect and "(payload - " in t.effect for t in whole.problem.terms)
     assert _error(whole, *truth) < 0.75 * _error(at, *truth)
+
+
+def test_beyond_the_readings_a_bend_goes_on_straight() -> None:
+    """A law has a sharp corner where nature's is round: a straight line beside it begins and ends elsewhere."""
+    truth = law("joint = c1*sqrt((payload - c2)**2 + c3**2)", 3e-4, 1.6, 0.7)
+    at, tried = _fitted("Max(payload - {0}, 0)", truth, constants=(1.6,))
+    whole = with_remainder(at, [tried])
+    assert any("sqrt((payload" in t.effect for t in whole.problem.terms)
+    payload = {"payload_kg": np.linspace(3.0, 3.6, N)}
+    assert _error(whole, truth, of=payload) < 0.5 * _error(at, truth, of=payload)
 
 
 @pytest.mark.parametrize("tau", [1e-9, 0.0, -1e-9, -3.0, -1e-300])

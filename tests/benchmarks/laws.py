@@ -35,7 +35,6 @@ from deltacal_gen.diagnosis import diagnosis
 from deltacal_gen.diagnosis.answer import Diagnosed
 from deltacal_gen.diagnosis.beside import Beside
 from deltacal_gen.diagnosis.diagnosis import diagnose
-from deltacal_gen.diagnosis.refits import terms_of
 from deltacal_gen.errors import DeltacalError
 from deltacal_gen.estimation.fit import fit, rough
 from deltacal_gen.estimation.fitted import Fit
@@ -47,7 +46,7 @@ from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Measurement, Recording
 from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.channels import Channels
-from deltacal_gen.physics.law import is_law, load_law
+from deltacal_gen.physics.law import load_law
 from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.use.prediction import predict
 from tests.benchmarks import concealed_machines as machines
@@ -393,7 +392,8 @@ def examine(job: tuple[str, tuple[int, ...]]) -> dict[str, Any]:
     noise = [SIGMA * rng.standard_normal(o.shape) for o in off]
     out["of_readings"] = [rms(o - e) / rms(b - e) for o, b, e in zip(off, best, noise, strict=True)]
     out["alike"] = _likeness(case, found)
-    own = {_plain(s, case.truth.limb) for s in (load_law(t.effect) for t in _laws(found)) for s in s.STATE}
+    told = found.laws[0].terms if found.laws else []  # what is predicted beside it reads other states, too
+    own = {_plain(s, case.truth.limb) for t in told for s in load_law(t.effect).STATE}
     out["right"] = own == set(case.truth.states) and out["alike"] > ALIKE
     return out
 
@@ -421,10 +421,6 @@ def searching() -> Iterator[list[float]]:
     finally:
         for name, function in own.items():
             setattr(diagnosis, name, function)
-
-
-def _laws(found: Diagnosed) -> list[Any]:
-    return [t for t in terms_of(found.final) if is_law(t.effect)]
 
 
 def _plain(state: str, limb: int) -> str:
@@ -456,7 +452,7 @@ def _by_who_knows(case: Case, fresh: Recording) -> Array:
 
 def _likeness(case: Case, found: Diagnosed) -> float:
     """Return the correlation of what the law and the truth do to the readings, geometry taken out of both."""
-    if not _laws(found):
+    if not found.laws:
         return 0.0
     final = found.final
     bare = dataclasses.replace(final.problem, terms=(), held=())

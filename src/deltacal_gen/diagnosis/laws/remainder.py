@@ -2,10 +2,11 @@
 
 A law is written with few functions, for few readings tell curves apart; nature's curve is mostly none of them. What the
 form leaves of it is too little to be told, but not to be predicted: along each of its states, times what the law does
-along the others, a sum of bumps is drawn by chance, and its size is the likeliest beside everything that is fitted. The
-constants within the law stay. It is zero where there were no readings, and none where it does not pay for its size.
-What else the limb and the machine have may change what a law does, too little to be told: so are bumps of each such
-state, alone and times the law, of which one that is chosen pays for the choice as well.
+along the others, a sum of bumps, or of bends, is drawn by chance, and its size is the likeliest beside everything that
+is fitted. The constants within the law stay. Bumps are zero where there were no readings, bends go on straight as laws
+do; there is none of either where it does not pay for its size. What else the limb and the machine have may change what
+a law does, too little to be told: so are bumps of each such state, alone and times the law, of which one that is chosen
+pays for the choice as well.
 """
 
 from __future__ import annotations
@@ -29,14 +30,14 @@ from deltacal_gen.physics.law import load_law
 from deltacal_gen.physics.terms import Term
 from deltacal_gen.states import named
 
-BUMPS = (5, 9)  # over the width of a state, each as wide as they are apart
+COUNTS = (5, 9)  # of bumps, and of bends, over the width of a state, each as wide as they are apart
 PRICE = 2.0  # of the deviance (Akaike): what a size has to earn that serves predictions and claims nothing
 ANY = 3  # bumps of a state that a law does not read
 
 
 @dataclass(frozen=True)
 class _Rest:
-    """Bumps along a state at a term of a law, and what they do to the readings, by the noise of which they are.
+    """Functions of a state at a term of a law, and what they do to the readings, by the noise of which they are.
 
     `chosen` are those of a state that the law does not read.
     """
@@ -61,7 +62,7 @@ def with_remainder(at: Fit, law: Sequence[Tried]) -> Fit:
     ]
     others = [r for freed, t, term in each for r in _others(ground, freed, t, term)]
     best, found, rests = np.inf, Sizes(), list[_Rest]()
-    for count in BUMPS:
+    for count in COUNTS:
         tried = [*(r for freed, t, term in each for r in _rests(ground, freed, t, term, count)), *others]
         if not tried:
             return at
@@ -74,15 +75,16 @@ def with_remainder(at: Fit, law: Sequence[Tried]) -> Fit:
 
 
 def _rests(ground: Ground, freed: Ground, tried: Tried, term: Term, count: int) -> Iterator[_Rest]:
-    """Yield the bumps along each state of a term of a law, times its curves of the others."""
+    """Yield bumps, and bends, along each state of a term of a law, times its curves of the others."""
     module = load_law(term.effect)
     curves = (None if module.lags else curves_of(freed, tried)) or ()
     ends = dict(zip(module.STATE, module.ends(term.constants).tolist(), strict=True))
     for k, curve in enumerate(curves):
         others: list[Part] = [(c.text, c.constants) for c in (*curves[:k], *curves[k + 1 :])]
         low, high = ends[curve.state]
-        bumps = _bumps(curve.state, low, high, count)
-        yield _rest(ground, tried, of_parts([[bump, *others] for bump in bumps], module.STATE))
+        for along in (_bumps, _bends):
+            parts = along(curve.state, low, high, count)
+            yield _rest(ground, tried, of_parts([[part, *others] for part in parts], module.STATE))
 
 
 def _others(ground: Ground, freed: Ground, tried: Tried, term: Term) -> Iterator[_Rest]:
@@ -127,6 +129,11 @@ def _bumps(state: str, low: float, high: float, count: int) -> list[Part]:
     """Return bumps of a state, evenly spread between its ends."""
     width = (high - low) / (count - 1)
     return [(f"exp(-(({state} - {{0}})/{{1}})**2)", (float(at), width)) for at in np.linspace(low, high, count)]
+
+
+def _bends(state: str, low: float, high: float, count: int) -> list[Part]:
+    """Return round bends of a state, where bumps are: its slope, of chance at each of them, walks at random."""
+    return [(f"sqrt(({state} - {{0}})**2 + {{1}}**2)", at) for _, at in _bumps(state, low, high, count)]
 
 
 def _joint(at: Fit, more: Sequence[Term], std: Sequence[float]) -> Fit:

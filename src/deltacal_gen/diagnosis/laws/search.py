@@ -16,7 +16,7 @@ from deltacal_gen.diagnosis.charges import MARGIN
 from deltacal_gen.diagnosis.laws.ground import Ground, Tried
 from deltacal_gen.diagnosis.laws.profile import refine
 from deltacal_gen.diagnosis.laws.screen import ranked
-from deltacal_gen.diagnosis.laws.shape import shaped
+from deltacal_gen.diagnosis.laws.shape import reread, shaped
 from deltacal_gen.diagnosis.refits import refitted, terms_of
 from deltacal_gen.diagnosis.strategy import ALIKE
 from deltacal_gen.diagnosis.structure import alike, structures
@@ -92,7 +92,7 @@ def grow(problem: Problem, base: Fit, most: float = np.inf) -> Grown | None:
             best = best if other is None or other.cost > best.cost else other
         if len(best.law) > 1:
             best = _revised(problem, best)
-        best = curved(problem, best)
+        best = reshaped(problem, curved(problem, best))
         taken = explained(base.residual / best.fit.sigma, best.fit.residual / best.fit.sigma)
         if taken < (*ON_THE_WAY, SHARE)[len(best.law) - 1] or best.cost >= most:
             return None
@@ -194,6 +194,17 @@ def curved(problem: Problem, grown: Grown) -> Grown:
             grown = again
             if same:
                 break
+    return grown
+
+
+def reshaped(problem: Problem, grown: Grown) -> Grown:
+    """Return a law whose terms are each shaped anew, of other states where these explain more."""
+    for i in range(len(grown.law)):
+        ground = Ground(grown.fit).freed(len(terms_of(grown.fit)) - len(grown.law) + i)
+        other = reread(ground, grown.law[i])
+        again = None if other is grown.law[i] else fitted(problem, grown, ground, other, grown.others, i)
+        if again is not None and again.cost < grown.cost:
+            grown = curved(problem, again)
     return grown
 
 

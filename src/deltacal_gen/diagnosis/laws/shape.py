@@ -21,11 +21,13 @@ from deltacal_gen.diagnosis.laws.screen import PART, price
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics import grammar
 from deltacal_gen.physics.grammar import CONSTANT, Atom, Curve, Form, renumbered
+from deltacal_gen.states import named
 
 ONE = Atom("1", (), 1)
 MOST = 4  # functions in a curve
 CLOSER = 4  # changes of which all constants are sought
 CHANGES = 10  # at most
+STARTS = 2  # of a shape, anew: a function of one state in the place of a curve
 LITTLE = 0.5  # of chi2: a change that earns less beyond its price is none
 HARDLY = 5.0  # of chi2, likewise: by what less a form may earn than the best and still be as good, 12 to 1
 RUNS = 10.0  # times what a law does where it was seen: what grows to more, a little beyond, runs away
@@ -78,6 +80,41 @@ def shaped(ground: Ground, tried: Tried) -> Tried:
     return _middle(ground, [whole, *every])
 
 
+def reread(ground: Ground, tried: Tried) -> Tried:
+    """Return a term of a law shaped anew from a single function in the place of a curve, of whichever state.
+
+    What is left of a curve may be taken up by ever more parts of one of a state that nearly goes with the right one, or
+    that had the simpler functions at first. Where it is hardly told apart it stays as it is.
+    """
+    curves = curves_of(ground, tried)
+    if curves is None:
+        return tried
+    place = ground.place(tried.target)
+    now = dataclasses.replace(tried, gain=ground.gain(place, tried.form, tried.limbs))
+    starts = sorted(_starts(ground, place, now, curves), key=_worth, reverse=True)[:STARTS]
+    best = max((shaped(ground, start) for start in starts), key=_worth, default=now)
+    return best if _worth(best) > _worth(now) + HARDLY else tried
+
+
+def _starts(ground: Ground, place: Place, now: Tried, curves: Curves) -> Iterator[Tried]:
+    """Yield a law with the best function of each state in the place of each curve."""
+    of_choice = now.price - price(now, 1)
+    for k in range(len(curves)):
+        others = [c.state for c in (*curves[:k], *curves[k + 1 :])]
+        for state in (s for s in _own(ground, place, now.limbs) if s not in others):
+            each = [Curve(state, (atom,)) for atom in grammar.full(state, ground.states[state])]
+            forms = [_form((*curves[:k], one, *curves[k + 1 :])) for one in each]
+            found = _gains(ground, place, forms, now.limbs)
+            best = int(np.argmax(found - PART * np.array([f.length for f in forms])))
+            start = dataclasses.replace(now, form=forms[best], gain=float(found[best]))
+            yield dataclasses.replace(start, price=price(start, 1) + of_choice)
+
+
+def _own(ground: Ground, place: Place, limbs: tuple[int, ...]) -> list[str]:
+    """Return the states that a law on some limbs may read: none reads its own joint as another's."""
+    return [s for s in ground.readable(place) if named(s).joint not in limbs]
+
+
 def _known(ground: Ground, place: Place, tried: Tried, form: Form) -> Tried:
     """Return a form in the place of another one, its constants where it explains most, with its price."""
     out = dataclasses.replace(tried, form=form, gain=ground.gain(place, form, tried.limbs))
@@ -88,7 +125,7 @@ def _known(ground: Ground, place: Place, tried: Tried, form: Form) -> Tried:
 def _changed(ground: Ground, place: Place, now: Tried, curves: Curves) -> list[tuple[Tried, Curves]]:
     """Return a law with each of the changes that seem to earn most."""
     changes = [c for i in range(len(curves)) for c in _changes(ground, curves, i) if c.texts != _texts(curves[i])]
-    changes += _modulations(ground, place, curves)
+    changes += _modulations(ground, place, curves, now.limbs)
     forms = [_beside(curves, c) for c in changes]
     lengths = [_form(curves).length - (curves[c.at].length if c.at < len(curves) else -1) + c.length for c in changes]
     more = np.array([MARGIN * (c.at == len(curves)) for c in changes])
@@ -169,11 +206,11 @@ def _changes(ground: Ground, curves: Curves, i: int) -> Iterator[Change]:
             yield Change(i, own.state, tuple(Curve(own.state, (a,)) for j, a in enumerate(own.atoms) if j != k))
 
 
-def _modulations(ground: Ground, place: Place, curves: Curves) -> list[Change]:
+def _modulations(ground: Ground, place: Place, curves: Curves, limbs: tuple[int, ...]) -> list[Change]:
     """Return by which straight line of another state each limb's law of one state may be multiplied."""
     if len(curves) > 1:
         return []
-    others = [s for s in ground.readable(place) if s != curves[0].state]
+    others = [s for s in _own(ground, place, limbs) if s != curves[0].state]
     atoms = [(s, a) for s in others for a in grammar.linear(s, ground.states[s])]
     return [Change(1, s, (Curve(s, (ONE,)), Curve(s, (atom,)))) for s, atom in atoms]
 
