@@ -77,25 +77,6 @@ def test_what_bodies_take_up_in_a_fit_and_do_not_foretell_is_of_the_drive() -> N
     assert known.climb(range(FOLDS)) == [0, 1]
 
 
-def test_a_rung_beside_one_that_lacks_still_earns_by_what_it_foretells() -> None:
-    """What the others leave hangs together for as long as a session, and would count as two samples."""
-    rng = np.random.default_rng(4)
-    slow = np.convolve(rng.standard_normal(SAMPLES + 59), np.ones(60) / np.sqrt(60), "valid")
-    X, fold = np.column_stack([np.ones(SAMPLES), slow]), np.arange(SAMPLES) * FOLDS // SAMPLES
-    y = X @ [1.0, 1.0] + 0.2 * rng.standard_normal(SAMPLES)
-
-    def correlated(left: np.ndarray) -> float:
-        return regression.together(left, np.zeros(SAMPLES, dtype=int), np.ones(SAMPLES, dtype=bool), 0.002)
-
-    rungs = Rung("torque_offset"), Rung("warm_friction")
-    two = Ladder(regression.Bench.of(X, y, fold, 0), rungs, ((0,), (1,)), X, y, correlated, fold)
-    assert two.buys([0], 0, range(FOLDS)) > 0.2
-    assert max(two.gain([0], 0, range(FOLDS)), two.gain([1], 1, range(FOLDS))) < two.charge(0)
-    assert two.climb(range(FOLDS)) == [0, 1]
-    alone = dataclasses.replace(two, y=y - 1.0, bench=regression.Bench.of(X, y - 1.0, fold, 0), counted={})
-    assert alone.climb(range(FOLDS)) == [1]
-
-
 def test_what_a_ridge_presumes_is_no_knowledge() -> None:
     rng = np.random.default_rng(5)
     one = rng.standard_normal(SAMPLES)

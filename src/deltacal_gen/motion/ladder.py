@@ -251,8 +251,7 @@ class Ladder:
             more = [*chosen, rest[n]]
             if rest[n] in self.impossible(more, folds):
                 continue
-            # where another rung lacks beside it a fit counts few samples, and only what it foretells is of it alone
-            if any(earned(more, rest[n], folds) > self.charge(rest[n]) for earned in (self.gain, self.foretells)):
+            if self.gain(more, rest[n], folds) > self.charge(rest[n]):
                 return rest[n]
         return None
 
