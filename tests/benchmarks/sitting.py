@@ -117,7 +117,7 @@ def wilson(hits: int, count: int) -> tuple[float, float]:
         return 0.0, 1.0
     z, p = 1.96, hits / count
     middle, half = p + z**2 / (2 * count), z * math.sqrt(p * (1 - p) / count + z**2 / (4 * count**2))
-    return (middle - half) / (1 + z**2 / count), (middle + half) / (1 + z**2 / count)
+    return max(middle - half, 0.0) / (1 + z**2 / count), (middle + half) / (1 + z**2 / count)
 
 
 def _frozen(value: Any) -> Any:

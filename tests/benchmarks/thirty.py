@@ -66,7 +66,7 @@ STEERING = {
     "diagnosis.laws.shape": ("MOST", "CLOSER", "LITTLE", "HARDLY", "RUNS", "FARTHER"),
     "diagnosis.laws.search": ("SHARE", "ON_THE_WAY", "TRIMMED", "TRIED", "LOOKS", "COMPARED"),
     "diagnosis.laws.proof": ("PART", "LAST", "SLOW"),
-    "diagnosis.laws.remainder": ("BUMPS", "PRICE"),
+    "diagnosis.laws.remainder": ("COUNTS", "PRICE"),
     "diagnosis.laws.laws": ("RIVALS", "DOUBTED"),
 }
 FACTORS = (0.7, 1.3)

@@ -427,10 +427,10 @@ def _better(problem: Problem, search: Search, places: Sequence[int]) -> Fit | No
     other = refitted(problem, current, [*others, *best.terms])
     if other is None or other.sigma[0] > current.sigma[0] * MUCH_WORSE:
         return None
-    if best.term.effect == first.effect and set(carriers_of(best.term)) > set(carriers_of(first)):
+    further = best.term.effect == first.effect and set(carriers_of(best.term)) > set(carriers_of(first))
+    if further and first.kernels.EXTENDS:  # the linear machine leaves much of a large delay: others make up for it
         more = 2 * problem.readings.n_scalars * float(np.log(current.sigma[0] / other.sigma[0]))
-        if more < search.price(*best.terms) - search.price(*own):
-            return None  # further limbs made up for what the linear machine leaves of a large effect
+        return other if more > search.price(*best.terms) - search.price(*own) else None
     flexible = first.effect == best.term.kernels.EXTENDS
     return None if flexible and not _refused(current, other) else other
 
