@@ -251,8 +251,11 @@ def done(
     return write_import(Imported(robot, recordings, warnings), output)
 
 
-def write_import(found: Imported, output: str | Path | None) -> Imported:
-    """Write robot.toml and the recordings into a folder, where there is one; return what was imported."""
+def write_import(found: Imported, output: str | Path | None, robot: str | None = None) -> Imported:
+    """Write robot.toml and the recordings into a folder, where there is one; return what was imported.
+
+    `robot` is the text of robot.toml, where it says more than the robot does.
+    """
     if output is not None:
         folder = Path(output)
         try:
@@ -260,7 +263,7 @@ def write_import(found: Imported, output: str | Path | None) -> Imported:
         except OSError as error:
             raise InputError(f"the folder cannot be made: {error.strerror}.", "Choose another.", file=folder) from None
         if found.robot is not None:
-            write_files({folder / "robot.toml": robot_to_toml(found.robot)})
+            write_files({folder / "robot.toml": robot or robot_to_toml(found.robot)})
         for name, recording in found.recordings.items():
             write_recording(recording, folder / f"{name}.csv")
     return found

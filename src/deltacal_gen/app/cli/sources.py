@@ -18,7 +18,7 @@ Sources = Annotated[
     typer.Argument(
         metavar="FILE...",
         help="printer.cfg; config.g and heightmap.csv; a log of Marlin; points, joints, ROBOT.toml; a bag, "
-        "ROBOT.toml; a capture, joints, ROBOT.toml",
+        "ROBOT.toml; a capture, joints, ROBOT.toml; a URDF",
     ),
 ]
 
@@ -30,11 +30,12 @@ FILES = {
     "points": "the instrument's points and a table of joints; a robot.toml, if there is one",
     "bag": "the bag; a robot.toml, if there is one",
     "c3d": "the capture and a table of joints in time; a robot.toml, if there is one",
+    "urdf": "the URDF of an arm",
 }
 
 
 def import_(
-    kind: Annotated[str, typer.Argument(metavar="KIND", help="klipper, rrf, marlin, points, bag or c3d")],
+    kind: Annotated[str, typer.Argument(metavar="KIND", help="klipper, rrf, marlin, points, bag, c3d or urdf")],
     files: Sources,
     output: Annotated[Path, typer.Option("-o", "--output", help="folder for robot.toml and recordings")],
     joints: Annotated[str | None, typer.Option("--joints", help="of a bag: the topic of the joints")] = None,
@@ -46,10 +47,15 @@ def import_(
     ] = None,
     moving: Annotated[bool, typer.Option("--moving", help="a row for every reading, not for every standstill")] = False,
     offset: Annotated[float, typer.Option("--offset", help="what is added to the readings' clock, s")] = 0.0,
+    base: Annotated[str | None, typer.Option("--base", metavar="LINK", help="of a URDF: where {O} is")] = None,
+    tip: Annotated[str | None, typer.Option("--tip", metavar="LINK", help="of a URDF: where the arm ends")] = None,
     decimal: Decimal = None,
     as_json: Json = False,
 ) -> None:
-    """Make recordings, and a robot file, from what firmware, a tracker's software, ROS or motion capture keeps."""
+    """Make recordings, and a robot file, from what firmware, a tracker's software, ROS or motion capture keeps.
+
+    A URDF gives a robot file alone.
+    """
     from deltacal_gen.app import commands
     from deltacal_gen.results.written import Imported
 
@@ -61,6 +67,7 @@ def import_(
         "points": (commands.import_points, (2, 3), {}),
         "bag": (commands.import_bag, (1, 2), {"joints": joints, "mapping": mapping, **in_time}),
         "c3d": (commands.import_c3d, (2, 3), in_time),
+        "urdf": (commands.import_urdf, (1,), {"base": base, "tip": tip}),
     }
     if kind not in importers:
         raise typer.BadParameter(f"there is no import '{kind}'; known: {', '.join(importers)}", param_hint="KIND")
@@ -71,8 +78,8 @@ def import_(
             param_hint="FILE",
         )
     given = {"--joints": joints, "--map": mapping, "--readings": readings, "--moving": moving, "--offset": offset}
-    keys = ("joints", "mapping", "readings", "moving", "offset_s")
-    for (name, value), key in zip(given.items(), keys, strict=True):
+    keys = ("joints", "mapping", "readings", "moving", "offset_s", "base", "tip")
+    for (name, value), key in zip((given | {"--base": base, "--tip": tip}).items(), keys, strict=True):
         if value and key not in options:
             raise typer.BadParameter(f"it means nothing for {kind}; leave it out", param_hint=name)
     found = read(*files, output=output, **options)

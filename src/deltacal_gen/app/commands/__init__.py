@@ -18,6 +18,7 @@ from deltacal_gen.app.commands.sources import (
     import_marlin,
     import_points,
     import_rrf,
+    import_urdf,
 )
 from deltacal_gen.app.commands.use import (
     certificate,
@@ -53,6 +54,7 @@ __all__ = [
     "import_marlin",
     "import_points",
     "import_rrf",
+    "import_urdf",
     "kernels",
     "loop",
     "manual",

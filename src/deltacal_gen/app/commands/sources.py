@@ -31,6 +31,15 @@ def import_marlin(path: Source, output: Source | None = None) -> Imported:
     return marlin.import_marlin(path, output)
 
 
+def import_urdf(
+    path: Source, output: Source | None = None, *, base: str | None = None, tip: str | None = None
+) -> Imported:
+    """Return a robot of the chain between two links of a URDF, and no recording; see `urdf.import_urdf`."""
+    from deltacal_gen.files import urdf
+
+    return urdf.import_urdf(path, output, base=base, tip=tip)
+
+
 def import_points(
     points: Source, joints: Source, robot: Source | None = None, output: Source | None = None
 ) -> Imported:
