@@ -35,6 +35,7 @@ PAPERS = "app/reproduction/"  # what papers print and draw, done again as they d
 WORKSPACE = "a place in the cylinder of the workspace, by its radius and its angle"
 CHAIN_RULE = "derivatives of the kernels, multiplied"
 BEGUN = "a first estimate by linear algebra (Zhang 2000; Shah 2013), which the derived images then correct"
+ROWS = "a drawing's lines as rows of a table, which the derived kernels prove wherever they are made"
 FUNCTIONS = {
     "diagnosis/spectrum.py:_standing": "the amplitude of a wave of cosine and sine, and how well it is known",
     "app/moved.py:grown": "two standard deviations together",
@@ -82,6 +83,12 @@ FUNCTIONS = {
     "machine/chain.py:Chain.moves": "shares of tables in a joint's link",
     "machine/chain.py:Chain.roles": "sums over the tables of a joint's link",
     "machine/chain.py:_prioritised": "two levels of priority by projections (Siciliano, Slotine 1991)",
+    "machine/denavit.py:_across": ROWS,
+    "machine/denavit.py:_least": ROWS,
+    "machine/denavit.py:_seen": ROWS,
+    "machine/denavit.py:_tilted": ROWS,
+    "machine/denavit.py:_to_end": ROWS,
+    "machine/denavit.py:rows_of": ROWS,
     "machine/dynamics.py:ChainDynamics.torque": "what derived columns give for their parameters, summed up",
     "machine/limbs.py:Limbs._body": "a sum of every row, NaN where a number is",
     "machine/machine.py:Machine.missed": "one rotation by another",

@@ -40,7 +40,7 @@ def shelf(folder: Path) -> None:
     """Fill a folder with a good input of each sort for each machine."""
     for machine in MACHINES:
         source = example().parent / machine
-        for name in ("robot.toml", "poses.csv", "poses.toml", "truth.toml", "printer.cfg"):
+        for name in ("robot.toml", "poses.csv", "poses.toml", "truth.toml", "printer.cfg", "arm.urdf"):
             if (source / name).exists():
                 (folder / f"{machine}.{name}").write_bytes((source / name).read_bytes())
         robot, recording = folder / f"{machine}.robot.toml", folder / f"{machine}.recording.csv"
@@ -352,6 +352,7 @@ def jobs() -> Iterator[Job]:
     yield Job(("import", "klipper", "{linear_delta.printer.cfg}", "-o", "{out}"), ("linear_delta.printer.cfg",))
     yield Job(("import", "rrf", "{config.g}", "{heightmap.csv}", "-o", "{out}"), ("config.g", "heightmap.csv"))
     yield Job(("import", "marlin", "{marlin.txt}", "-o", "{out}"), ("marlin.txt",))
+    yield Job(("import", "urdf", "{serial.arm.urdf}", "-o", "{out}"), ("serial.arm.urdf",))
     yield from _jobs_of_kinds()
     yield from _jobs_of_commands()
     yield Job(("import", "points", "{points.txt}", "{joints.csv}", robot, "-o", "{out}"), ("points.txt", "joints.csv"))

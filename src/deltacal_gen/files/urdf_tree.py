@@ -17,7 +17,7 @@ import numpy as np
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.rows import number_of
 from deltacal_gen.files.toml import nearest
-from deltacal_gen.machine.rotation import Array
+from deltacal_gen.machine.rotation import Array, from_turns, from_vector
 
 MM, KG_MM2 = 1e3, 1e6  # of a metre, of a kg m^2
 TURNING, SLIDING = ("revolute", "continuous"), ("prismatic",)
@@ -98,9 +98,7 @@ class Joint:
         if self.kind in SLIDING:
             motion[:, :3, 3] = q[:, None] * self.axis
         elif self.kind in TURNING:
-            x, y, z = self.axis
-            K = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-            motion[:, :3, :3] += np.sin(q)[:, None, None] * K + (1 - np.cos(q))[:, None, None] * (K @ K)
+            motion[:, :3, :3] = from_vector(q[:, None] * self.axis)
         return self.origin @ motion
 
 
@@ -233,12 +231,8 @@ class Tree:
                 "Multiply by pi / 180.",
                 tag.line,
             )
-        (cr, cp, cy), (sr, sp, sy) = np.cos(angles), np.sin(angles)
-        out[:3, :3] = (
-            np.array([[cy, -sy, 0.0], [sy, cy, 0.0], [0.0, 0.0, 1.0]])
-            @ np.array([[cp, 0.0, sp], [0.0, 1.0, 0.0], [-sp, 0.0, cp]])
-            @ np.array([[1.0, 0.0, 0.0], [0.0, cr, -sr], [0.0, sr, cr]])
-        )
+        if any(angles):
+            out[:3, :3] = from_turns("xyz", np.array([angles]))[0]
         out[:3, 3] = MM * np.array(self._numbers(tag, "xyz", "0 0 0", 3))
         return out
 

@@ -3,6 +3,7 @@
 Rows are standard, with Hayati's angle where neighbouring axes are all but parallel: Rz(theta) Tz(d) Tx(a) Rx(alpha)
 Ry(beta). The lines are those at joints zero; a row leads along one line and across to the next, whichever way its frame
 turns there, so that one row before the first joint and one behind the last put base and end where they are wanted.
+Where a row leads, the derived kernels say: what a row misses by its last digits, the next one makes up for.
 """
 
 from __future__ import annotations
@@ -14,13 +15,16 @@ from typing import NamedTuple
 
 import numpy as np
 
-from deltacal_gen.machine.rotation import Array
+from deltacal_gen.machine.chain import Chain
+from deltacal_gen.machine.registry import Array, load_mechanism
+from deltacal_gen.machine.values import Link
 from deltacal_gen.units import DEG
 
 NEARLY_PARALLEL = 1.0 * DEG  # no drawing has axes so close to parallel: a calibrated machine has, with normals far off
 MEET = 1e-10  # mm: lines that are closer have no direction from one to the other
 NOISE = 1e-13  # rad: what rounding leaves of angles that are zero
-MM_DIGITS, DEG_DIGITS = 11, 12  # that are kept: what is cut off, the rows behind make up for
+ONE = Link("revolute", "standard", 0.0, 0.0, (0.0, 0.0, 0.0))
+MM_DIGITS, DEG_DIGITS = 11, 12  # that are kept
 
 
 class Row(NamedTuple):
@@ -43,14 +47,14 @@ class Row(NamedTuple):
 
     def matrix(self) -> Array:
         """Return the frame (4, 4) that the row leads to, joint zero."""
-        ct, st, ca, sa = math.cos(self.theta), math.sin(self.theta), math.cos(self.alpha), math.sin(self.alpha)
-        ct_, st_ = math.cos(self.tilt), math.sin(self.tilt)
-        ca, sa = ca * ct_ - sa * st_, sa * ct_ + ca * st_
-        out = np.eye(4)
-        out[:3, :3] = [[ct, -st * ca, st * sa], [st, ct * ca, -ct * sa], [0.0, sa, ca]]
-        out[:3, 3] = self.a * ct, self.a * st, self.d
-        cb, sb = math.cos(self.beta), math.sin(self.beta)
-        out[:3, :3] = out[:3, :3] @ [[cb, 0.0, sb], [0.0, 1.0, 0.0], [-sb, 0.0, cb]]
+        machine, out = load_mechanism("serial", (ONE,)), np.eye(4)
+        assert isinstance(machine, Chain)
+        table = np.zeros((1, 1, machine.width + len(machine.deflections)))
+        for column, entry in enumerate(machine.geometry):
+            table[..., column] = getattr(self, entry.key)
+        table[..., machine.column("alpha")], table[..., machine.column("beta")] = self.tilt, self.beta
+        x, _ = machine.forward(np.zeros((1, 1)), np.zeros(3), table)
+        out[:3, 3], out[:3, :3] = x[0, :3], x[0, 3:].reshape(3, 3)
         return out
 
 
