@@ -288,6 +288,9 @@ def test_joints_without_limits_are_told(tmp_path: Path) -> None:
     found = dc.import_urdf(file)
     assert "joints without limits: j2" in found.warnings[0]
     assert np.degrees(found.robot.joint_limits[1]) == pytest.approx([-360, 360])
+    file.write_text(urdf(arm(2, more='<limit lower="-1e16" upper="1e16" velocity="1e10"/>')))
+    assert np.degrees(dc.import_urdf(file).robot.joint_limits[1]) == pytest.approx([-360, 360])
+    assert dc.import_urdf(file).robot.limits.keys() == {"qd1_deg_s"}
     file.write_text(urdf(arm(2, kind=SLIDES, more="")))
     found = dc.import_urdf(file)
     assert "none at all" in found.warnings[0]
@@ -323,6 +326,7 @@ WRONG = {
     "twins": (GOOD.replace("'j2'", "'j1'"), "line 7: there are two joints 'j1'"),
     "same links": (GOOD.replace("link name='l2'", "link name='l1'"), "line 6: there are two links 'l1'"),
     "nan": (GOOD.replace("0.2'", "nan'", 1), 'line 5: xyz="0.1 0.0 nan" in <origin>: 3 numbers'),
+    "no number": (GOOD.replace("0.2'", "1e308'", 1), "3 numbers"),
     "two numbers": (GOOD.replace(" 0.2'", "'", 1), "line 5: .* 3 numbers"),
     "underscore": (GOOD.replace("0.2'", "1_0'", 1), "3 numbers"),
     "degrees": (GOOD.replace("rpy='0.0", "rpy='90.0", 1), "line 5: .* degrees, where URDF has radians"),
@@ -333,6 +337,10 @@ WRONG = {
     "floating": (GOOD.replace("'revolute'", "'floating'", 1), "line 4: joint 'j1' is floating.* --base l1"),
     "mimic": (urdf(arm(2, more="<mimic joint='finger'/>")), "line 7: joint 'j2' mimics 'finger'"),
     "nameless": (GOOD.replace("name='l1'", "", 1), "line 3: <link> has no name"),
+    "far weight": (
+        GOOD.replace("'l2'></link>", "'l2'><inertial><origin xyz='0 0 300'/><mass value='1'/></inertial></link>"),
+        "line 7: what joint 'j2' carries has its centre of mass 300 m away",
+    ),
     "weight": (GOOD.replace("'l2'></link>", "'l2'><inertial><mass value='-1'/></inertial></link>"), "weighs -1 kg"),
 }
 

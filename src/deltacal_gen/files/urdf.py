@@ -237,6 +237,14 @@ def _check(chain: _Chain) -> None:
             "Divide the lengths by 1000.",
             chain.joints[0].line,
         )
+    for joint in chain.moving:
+        body = chain.body(joint)
+        if body is not None and (away := float(np.linalg.norm(body.centre))) > FARTHEST:
+            raise chain.tree.error(
+                f"what joint '{joint.name}' carries has its centre of mass {away / MM:.4g} m away.",
+                "Correct the <inertial> of its links; lengths are metres.",
+                joint.line,
+            )
 
 
 def _length(chain: _Chain) -> float:

@@ -23,6 +23,8 @@ MM, KG_MM2 = 1e3, 1e6  # of a metre, of a kg m^2
 TURNING, SLIDING = ("revolute", "continuous"), ("prismatic",)
 KINDS = (*TURNING, *SLIDING, "fixed", "planar", "floating")
 ABSURD_TURN = 2.001 * math.pi  # rad: a roll, pitch or yaw beyond a turn was written in degrees
+LARGEST = 1e60  # no quantity of a robot is larger, and its square is a number, too
+NONE = 1e3  # rad, m, and by the second: larger limits stand for none
 LISTED = 20  # links, where one is not known
 INERTIA = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
 SPOKEN = {"sdf": "SDF, of Gazebo", "mujoco": "MJCF, of MuJoCo", "html": "a page of the web", "COLLADA": "a mesh"}
@@ -210,7 +212,7 @@ class Tree:
         if text is None:
             raise self.error(f"<{tag.name}> has no {key}.", "Add it.", tag.line)
         numbers = [number_of(word) for word in text.split()]
-        found = [n for n in numbers if n is not None and math.isfinite(n)]
+        found = [n for n in numbers if n is not None and abs(n) < LARGEST]
         if len(found) == len(numbers) == count:
             return found
         wanted = "a number was" if count == 1 else f"{count} numbers with blanks between them were"
@@ -264,7 +266,8 @@ class Tree:
                     "Exchange them.",
                     limit.line,
                 )
-            limits = (low, high)
+            limits = (low, high) if max(-low, high) < NONE * unit else None
+        speed = unit * self._number(limit, "velocity", "0")
         mimic = tag["mimic"]
         return Joint(
             name=name,
@@ -274,7 +277,7 @@ class Tree:
             origin=self._frame(tag["origin"]),
             axis=axis / length if kind != "fixed" else axis,
             limits=limits,
-            speed=unit * self._number(limit, "velocity", "0") or None,
+            speed=speed if 0 < speed < NONE * unit else None,
             mimics=None
             if "joint" not in mimic.said
             else (
