@@ -318,6 +318,7 @@ def test_a_model_predicts_samples_it_has_not_seen(tmp_path: Path, diagnosed: Any
     assert page.count("<svg") == 2 * 3  # of each joint over time, and against what its error may depend on
     assert found.headline in page
     assert "no check of it" not in page
+    assert "No sample is judged" not in page
     bare = tmp_path / "bare.csv"
     lines = path.read_text().splitlines()
     bare.write_text("\n".join(",".join(line.split(",")[:5]) for line in lines) + "\n")
@@ -329,6 +330,21 @@ def test_a_model_predicts_samples_it_has_not_seen(tmp_path: Path, diagnosed: Any
     wanted = np.array([[float(c) for c in line.split(",")[5:]] for line in lines[1:]])
     assert np.nanstd(known - wanted, axis=0) == pytest.approx(NOISE, rel=0.2)
     assert 0 < np.isnan(known).sum() < 0.1 * known.size  # at rest, where the joints turn back
+
+
+def test_a_validation_says_what_it_is_no_check_of(tmp_path: Path, recorded: Path, diagnosed: Any) -> None:
+    dc.validate(diagnosed.to_dict(), recorded, report=tmp_path / "seen.html")
+    assert "no check of it" in (tmp_path / "seen.html").read_text()
+    head, *lines = recorded.read_text().splitlines()
+    first = lines[0].split(",")[2:5]
+    still = [",".join([*(c := line.split(","))[:2], *first, *c[5:]]) for line in lines]
+    (tmp_path / "still.csv").write_text("\n".join([head, *still]) + "\n")
+    (tmp_path / "still.toml").write_text(recorded.with_suffix(".toml").read_text())
+    found = dc.validate(diagnosed.to_dict(), tmp_path / "still.csv", report=tmp_path / "still.html")
+    assert found.rms_by_joint == (None, None, None)
+    page = (tmp_path / "still.html").read_text()
+    assert "No sample is judged" in page
+    assert "Over time" not in page
 
 
 def could_be_built(body: np.ndarray) -> bool:
