@@ -251,6 +251,15 @@ def test_a_gripper_ends_no_arm_and_its_fingers_are_left_out(tmp_path: Path) -> N
     assert found.robot.masses is None
 
 
+def test_of_two_arms_in_a_file_one_is_asked_for(tmp_path: Path) -> None:
+    text = urdf(arm())
+    other = text.replace("'l", "'r").replace("'j", "'k").split("\n", 1)[1]
+    both = text.replace("</robot>", other)
+    with pytest.raises(InputError, match=r"l2, r2\. They hang on links that no joint connects: l0, r0\. .* --base"):
+        imported(tmp_path, both)
+    assert len(dc.import_urdf(tmp_path / "arm.urdf", base="r0").robot.joint_sign) == 2
+
+
 def test_what_is_fixed_weighs_with_the_link(tmp_path: Path) -> None:
     joints = arm()
     joints[-1].mass, joints[-1].tensor = 1.0, (1.0, 1.0, 1.0, 0.0, 0.0, 0.0)

@@ -198,6 +198,13 @@ def _longest(tree: Tree, base: str | None) -> _Chain:
     if len(longest) == 1:
         return longest[0]
     names = ", ".join(way.tip for way in longest)
+    if roots := [*dict.fromkeys(way.base for way in longest)][1:]:
+        raise InputError(
+            f"{len(longest)} links have {most} joint{'s' * (most > 1)} before them, and none has more: {names}. They "
+            f"hang on links that no joint connects: {', '.join((longest[0].base, *roots))}.",
+            "Say which arm is meant: --base LINK, one of these.",
+            file=tree.path,
+        )
     shared = [j[0] for j in zip(*(way.joints for way in longest), strict=False) if len({k.name for k in j}) == 1]
     last = shared[-1].child if shared else longest[0].base
     joints = [f"{n} joint{'' if n == 1 else 's'}" for n in (most, sum(j.moves for j in shared))]
