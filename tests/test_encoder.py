@@ -11,6 +11,8 @@ import numpy as np
 import pytest
 from conftest import Run
 
+from deltacal_gen.app.cli.calibration import _show_result
+from deltacal_gen.app.cli.common import screen
 from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.recording import read_recording
@@ -24,6 +26,7 @@ from deltacal_gen.machine.values import Measurement, Recording, Robot, poses_of
 from deltacal_gen.physics.motion import approach, motion_of
 from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.physics.terms import Term, blank
+from deltacal_gen.results.shown import decimals
 from deltacal_gen.units import DEG
 from deltacal_gen.use import prediction, validation
 from deltacal_gen.use.comparison import compare
@@ -110,7 +113,24 @@ def test_play_is_named_from_the_way_the_joints_came(robot: Robot) -> None:
 
 
 def test_nothing_is_named_where_nothing_is_missing(robot: Robot) -> None:
-    assert diagnose(robot, read(robot)).verdict == "adequate"
+    found = diagnose(robot, read(robot))
+    assert found.verdict == "adequate"
+    assert "robot file has it" not in found.answer().summary  # of a machine that has nothing to correct
+
+
+def test_the_screen_has_the_unit_of_the_readings(
+    robot: Robot, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(screen, "_file", None)
+    found = identify(robot, read(robot)).answer()
+    _show_result(found)
+    assert "robot file has it" not in capsys.readouterr().out  # as above
+    assert found.heldout_rms_mm is not None
+    _show_result(found.replace(rank=1, degrees_of_freedom=1.0, before_rms_mm=found.heldout_rms_mm / 2))
+    shown = " ".join(capsys.readouterr().out.split())
+    half = found.heldout_rms_mm / 2 / (100 * DEG)
+    assert f"leaves no more, {decimals(half)} deg:" in shown
+    assert f"leaves a residual of {found['train_rms_deg']:.3g} deg" in shown
 
 
 def test_whole_runs_are_held_out(robot: Robot) -> None:

@@ -512,7 +512,8 @@ def _corrected(found: Diagnosed) -> str:
 
 def _use_of(found: Diagnosed) -> str:
     """Return what to do with a machine to which nothing is missing."""
-    return needless(filed_rms(found.final), found.heldout[0]) or "Use the calibrated machine."
+    vain = needless(filed_rms(found.final), found.heldout[0]) if found.final.problem.names else ""
+    return vain or "Use the calibrated machine."
 
 
 def _waves(robot: Robot, own: JointFunction) -> str:

@@ -87,20 +87,21 @@ def decimals(value: float) -> str:
     return f"{value:.4f}" if value == 0 or not abs(value) < COARSE else f"{value:.2g}"
 
 
-def needless(filed: float, heldout: float | None) -> str:
+def needless(filed: float, heldout: float | None, unit: str = "mm") -> str:
     """Say that a calibrated machine is no nearer to readings that it has not seen than the robot file's; else nothing.
 
     Parameters
     ----------
     filed, heldout : float
-        Errors of the robot file's machine, and of the calibrated one where readings were held out [mm].
+        Errors of the robot file's machine, and of the calibrated one where readings were held out [unit].
+    unit : str
     """
     if heldout is None or not heldout >= filed:
         return ""
     return (
-        f"The machine as the robot file has it leaves no more, {decimals(filed)} mm: these readings want no correction "
-        "of it. Where the instrument is surer than that, compare with the recording which point was measured, and "
-        "whether joints and readings of a row belong together."
+        f"The machine as the robot file has it leaves no more, {decimals(filed)} {unit}: these readings want no "
+        "correction of it. Where the instrument is surer than that, compare with the recording which point was "
+        "measured, and whether joints and readings of a row belong together."
     )
 
 

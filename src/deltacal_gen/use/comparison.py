@@ -18,6 +18,7 @@ from deltacal_gen.identification.accuracy import check_joints
 from deltacal_gen.machine.differences import between
 from deltacal_gen.machine.registry import SOLVED, mechanism_of
 from deltacal_gen.machine.rotation import align
+from deltacal_gen.results.base import shown_in
 from deltacal_gen.results.comparison import Change, Comparison, Moved
 from deltacal_gen.results.motion import MotionDiagnosis, MotionResult, TorqueEffect
 from deltacal_gen.results.parts import RobotTables
@@ -95,7 +96,7 @@ def compare(before: Calibration, after: Calibration) -> Comparison:
     new, old = _told_apart(combined, limit)
     moved = _moved(first, second)
     fits = [r for r in (before, after) if isinstance(r, Result)]
-    said = [flattered(r.degrees_of_freedom, r.readings.scalars, r.train_rms_mm) for r in fits]
+    said = [_flattered(r) for r in fits]
     summary = _summary(moved, new if combined else changed, old if combined else unchanged, len(unknown), limit)
     return Comparison(
         summary=" ".join([summary, *filter(None, said)]),
@@ -251,7 +252,12 @@ def _summary(moved: Moved | None, changed: Sequence[Change], same: Sequence[Chan
     )
 
 
-def flattered(left: float | None, readings: int, rms: float) -> str:
+def _flattered(found: Result) -> str:
+    unit, length = shown_in(found)
+    return flattered(found.degrees_of_freedom, found.readings.scalars, found.train_rms_mm / length, unit)
+
+
+def flattered(left: float | None, readings: int, rms: float, unit: str = "mm") -> str:
     """Say by how much the residual of a fit understates the noise, where its readings are few; else nothing.
 
     Parameters
@@ -259,15 +265,16 @@ def flattered(left: float | None, readings: int, rms: float) -> str:
     left : float or None
         Degrees of freedom: readings less parameters.
     rms : float
-        Of the residual [mm].
+        Of the residual [unit].
+    unit : str
     """
     if left is None or left > FEW * readings:
         return ""
     said = f"{readings} readings less {readings - left:.3g} parameters leave {max(left, 0):.3g} degrees of freedom"
     if left < 1:
-        return f"{said}: the residual of {rms:.3g} mm says nothing of the noise."
+        return f"{said}: the residual of {rms:.3g} {unit} says nothing of the noise."
     part = float(np.sqrt(left / readings))
     return (
-        f"{said}: noise of {rms / part:.3g} mm leaves a residual of {rms:.3g} mm, "
+        f"{said}: noise of {rms / part:.3g} {unit} leaves a residual of {rms:.3g} {unit}, "
         f"and the next session of an unchanged machine, predicted from this one, at least {1 / part:.2g} times as much."
     )
