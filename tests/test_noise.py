@@ -65,6 +65,26 @@ def test_rounding_that_a_declared_sigma_leaves_out_is_noise(reading: float, join
     assert says in found.summary
 
 
+@pytest.mark.parametrize(
+    ("reading", "joint", "says"), [(0.1, 0.0, "readings in steps of 0.1 mm"), (0.0, 0.01, "0.01 deg")]
+)
+def test_rounding_that_repeats_share_is_no_lack_of_the_model(reading: float, joint: float, says: str) -> None:
+    """Steps of many times the noise: repeats are rounded alike, and show less than what rounding does to a pose."""
+    joints = np.tile(np.degrees(record(ROBOT, n=60, seed=5).joints), (3, 1))
+    made = rounded(record(ROBOT, n=180, seed=5, joints=joints, declared=False), reading, joint)
+    found = diagnose(ROBOT, made).answer()
+    assert found.noise.source == "repeats"
+    assert (found.verdict, says in found.summary) == ("adequate", True)
+
+
+def test_what_a_pose_shares_beyond_its_rounding_is_no_noise() -> None:
+    joints = np.tile(np.degrees(record(ROBOT, n=60, seed=5).joints), (3, 1))
+    made = record(ROBOT, n=180, seed=5, joints=joints, declared=False)
+    shared = np.tile(np.random.default_rng(1).normal(0.0, 0.06, (60, 3)), (3, 1))
+    made = rounded(dataclasses.replace(made, measured=made.measured + shared), 0.05, 0.0)
+    assert diagnose(ROBOT, made).verdict == "unexplained"
+
+
 def test_joints_commanded_in_whole_degrees_were_not_rounded() -> None:
     joints = np.round(np.degrees(record(ROBOT, n=100, seed=5).joints))
     found = diagnose(ROBOT, record(ROBOT, n=100, joints=joints)).answer()

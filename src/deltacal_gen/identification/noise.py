@@ -86,11 +86,21 @@ def noise(final: Fit, recording: Recording) -> Noise:
     known = _known(final, recording)
     if known.source is Source.RESIDUAL or not _more(final, known):
         return known
-    steps = rounding_of(final, recording)
-    of_readings = steps.of_readings if known.source is Source.DECLARED else 0.0  # repeats show it
-    wider = dataclasses.replace(known, sigma=float(np.hypot(known.sigma, np.hypot(steps.of_joints, of_readings))))
+    wider = _with_rounding(known, final, recording)
     excess, doubt = _excess(final, wider)
-    return dataclasses.replace(wider, rounded=steps.text) if steps.text and abs(excess) < doubt else known
+    return wider if wider.rounded and abs(excess) < doubt else known
+
+
+def _with_rounding(known: Noise, final: Fit, recording: Recording) -> Noise:
+    """Return a noise with what rounding comes to; of readings repeats show it, but where steps are coarser than noise.
+
+    Repeats that are rounded to the same value show none of it.
+    """
+    steps = rounding_of(final, recording)
+    shown = 0.0 if known.source is Source.DECLARED else known.sigma
+    unseen = float(np.sqrt(max(steps.of_readings**2 - shown**2, 0.0)))
+    sigma = float(np.hypot(known.sigma, np.hypot(steps.of_joints, unseen)))
+    return dataclasses.replace(known, sigma=sigma, rounded=steps.text)
 
 
 def doubted(known: Noise, final: Fit) -> Noise:
@@ -203,9 +213,11 @@ def alike_at_a_pose(final: Fit, recording: Recording) -> bool:
     """Tell whether what readings of one pose share is proven, and more than the noise that they show.
 
     Among many readings of few poses it hardly adds to what all of them leave: means of poses tell (lack of fit against
-    pure error). As much again as the noise is demanded, since what happens between two visits of a pose is in neither.
+    pure error). As much again as the noise is demanded, since what happens between two visits of a pose is in neither;
+    what rounding of joints or readings comes to is shared by repeats as well, and no lack.
     """
-    if _known(final, recording).source is not Source.REPEATS or final.repeats.series is not None:
+    known = _known(final, recording)
+    if known.source is not Source.REPEATS or final.repeats.series is not None:
         return False
     from scipy.special import fdtrc
 
@@ -219,7 +231,13 @@ def alike_at_a_pose(final: Fit, recording: Recording) -> bool:
     if free < 1:
         return False
     ratio = float((sums**2 / count[:, None]).sum()) / free / shown.variance
-    return ratio - 1 > float(np.mean(count)) and bool(fdtrc(free, shown.degrees, ratio) < CHANCE)
+    each = float(np.mean(count))
+    if ratio - 1 <= each or fdtrc(free, shown.degrees, ratio) >= CHANCE:
+        return False
+    wider = _with_rounding(known, final, recording)
+    ratio /= 1 + each * (wider.sigma**2 / shown.variance - 1)
+    chance = float(fdtrc(free, shown.degrees, ratio))
+    return not (wider.rounded and CHANCE < chance < 1 - CHANCE)
 
 
 def _excess(final: Fit, known: Noise) -> tuple[float, float]:
