@@ -300,6 +300,10 @@ def test_joints_without_limits_are_told(tmp_path: Path) -> None:
     file.write_text(urdf(arm(2, more='<limit lower="-1e16" upper="1e16" velocity="1e10"/>')))
     assert np.degrees(dc.import_urdf(file).robot.joint_limits[1]) == pytest.approx([-360, 360])
     assert dc.import_urdf(file).robot.limits.keys() == {"qd1_deg_s"}
+    file.write_text(urdf(arm(2, more='<limit lower="-120" upper="120"/>')))
+    assert "10 turns to a side: j2. URDF has radians" in dc.import_urdf(file).warnings[0]
+    file.write_text(urdf(arm(2, more='<limit lower="-7" upper="7"/>')))
+    assert not dc.import_urdf(file).warnings
     file.write_text(urdf(arm(2, kind=SLIDES, more="")))
     found = dc.import_urdf(file)
     assert "none at all" in found.warnings[0]

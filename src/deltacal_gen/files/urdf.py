@@ -26,6 +26,7 @@ from deltacal_gen.machine.values import Robot
 from deltacal_gen.units import file_unit, joint_names, of_joints, to_file
 
 ENDLESS = 2 * np.pi  # rad to either side: limits that are written for a joint that has none
+MANY_TURNS = 10 * ENDLESS  # rad: limits farther off may be degrees
 FARTHEST = 100.0 * MM  # a chain that is longer was written in millimetres
 TRIED, SLID = 64, 500.0  # joints at which the robot file is compared with the URDF; mm to either side
 SAME_MM, SAME_TURN = 1e-12, 1e-12  # of the chain's length, at least a metre; of a rotation matrix' entries
@@ -343,7 +344,14 @@ def _limits(chain: _Chain, tables: dict[str, Any]) -> list[str]:
         [round(to_file(v, u), 9) for v in joint.limits or (-ENDLESS, ENDLESS)]
         for joint, u in zip(chain.read, units, strict=True)
     ]
-    return [f"joints without limits: {listed}. A turn to either side is written; say what holds."] if without else []
+    found = [f"joints without limits: {listed}. A turn to either side is written; say what holds."] if without else []
+    turning = [joint for joint in chain.read if joint.limits is not None and joint.kind in TURNING]
+    if many := [joint.name for joint in turning if np.abs(joint.limits or 0.0).max() > MANY_TURNS]:
+        found.append(
+            f"limits of more than {MANY_TURNS / ENDLESS:.0f} turns to a side: {', '.join(many)}. URDF has radians; "
+            "where these are degrees, divide them by 57.3 in robot.toml."
+        )
+    return found
 
 
 def _commented(text: str, chain: _Chain, rows: Rows) -> str:
