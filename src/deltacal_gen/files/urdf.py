@@ -158,10 +158,10 @@ class _Chain:
 def _chain(tree: Tree, base: str | None, tip: str | None) -> _Chain:
     """Return the chain between two links, either of which may be left open."""
     if base is not None:
-        tree.known(base, "--base")
+        tree.check_link(base, "--base")
     if tip is None:
         return _longest(tree, base)
-    tree.known(tip, "--tip")
+    tree.check_link(tip, "--tip")
     start = tree.root_of(tip) if base is None else base
     found = _between(tree, start, tip)
     if found is not None:

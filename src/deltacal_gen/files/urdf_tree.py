@@ -163,10 +163,10 @@ class Tree:
         """Return the link from which all joints to this one lead."""
         return [link, *(joint.parent for joint in self.climb(link))][-1]
 
-    def known(self, link: str, option: str) -> str:
-        """Return the name of a link; raise UsageError where there is none of this name."""
+    def check_link(self, link: str, option: str) -> None:
+        """Raise UsageError where there is no link of a name."""
         if link in self.bodies:
-            return link
+            return
         close = nearest(link, self.bodies)
         known = [*self.bodies][:LISTED]
         hint = f"did you mean '{close}'?" if close else f"it has {', '.join(known)}{', ...' * (len(known) == LISTED)}."
