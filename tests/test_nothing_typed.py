@@ -43,7 +43,7 @@ FUNCTIONS = {
     "diagnosis/structure.py:_functions": "waves of a channel: what is smooth in it, of no machine",
     "diagnosis/wandering.py:_columns": "functions of a random walk in time, of no machine",
     "machine/values.py:Workspace.holds": WORKSPACE,
-    "identification/noise.py:noise": "variances that add up",
+    "identification/noise.py:_with_rounding": "variances that add up",
     "identification/uncertainty.py:uncertainty_map": "two standard deviations together",
     "instrument/board.py:_apart": BEGUN,
     "instrument/board.py:_mapped": BEGUN,
