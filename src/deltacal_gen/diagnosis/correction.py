@@ -22,6 +22,7 @@ from deltacal_gen.estimation.fit import fit
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.residuals import lengths, rms, robust_sigma, robust_weights
+from deltacal_gen.estimation.series import sequence
 from deltacal_gen.estimation.solvers import Prior, jitter
 from deltacal_gen.identification.folds import folds, stands
 from deltacal_gen.identification.together import rows_alone
@@ -263,7 +264,7 @@ def borne_out_beside(at: Fit, left: Sequence[Structure]) -> BorneOut | None:
     made = BorneOut(at, linear, option, without, corrected)
     poses = stands(found, at.problem.recording)
     _, some, pose = np.unique(poses, return_index=True, return_inverse=True)  # not every pose was read
-    order = np.argsort(found.line[some], kind="stable")
+    order = np.argsort(sequence(found, at.problem.recording)[some], kind="stable")
     squares = (np.nansum(lengths(errors, found.kind) ** 2, axis=1) for errors in (without, corrected))
     before, after = (np.bincount(pose, each).astype(float)[order] for each in squares)
     return made if _beyond_doubt(before, after) else None

@@ -44,7 +44,7 @@ class Taken(NamedTuple):
     free: Array
 
 
-def taken(found: Readings, recording: Recording) -> np.ndarray:
+def sequence(found: Readings, recording: Recording) -> np.ndarray:
     """Return where each reading (R,) stands in the order in which they were taken: its line, or its place in time.
 
     A file whose times mostly jump was sorted by something else. Where they begin anew a few times it was put together
@@ -92,7 +92,7 @@ class Series:
         """Return the readings in their order; None of those that belong to two rows."""
         if found.rows.shape[1] != 1:
             return None
-        place = taken(found, recording)
+        place = sequence(found, recording)
         order = np.lexsort((place, found.setup))
         same = np.diff(found.setup[order]) == 0
         gap = np.where(same, np.maximum(np.diff(place[order]), 1), np.inf)

@@ -18,6 +18,7 @@ from pathlib import Path
 
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.columns import JOINT, RESERVED, is_channel
+from deltacal_gen.files.toml import read_bytes
 from deltacal_gen.states import TIME
 
 LOOKED_AT = 200  # lines in which the header is searched for
@@ -93,12 +94,7 @@ def encoding_of(path: Path) -> str:
     InputError
         The file cannot be read.
     """
-    try:
-        data = path.read_bytes()
-    except OSError as error:
-        raise InputError(
-            f"the file cannot be read: {error.strerror}.", "Check the path and the permissions.", file=path
-        ) from None
+    data = read_bytes(path)
     if data.startswith((b"\xff\xfe", b"\xfe\xff")):
         return "utf-16"
     if b"\0" in data[:200]:

@@ -182,14 +182,19 @@ def _toml_value(value: object) -> str:
     return repr(value)
 
 
-def read_text(path: Path) -> str:
-    r"""Return the text of a UTF-8 file, without its byte order mark, lines ended by ``\n``; raise InputError."""
+def read_bytes(path: Path) -> bytes:
+    """Return what a file holds; raise InputError where it cannot be read."""
     try:
-        data = path.read_bytes()
+        return path.read_bytes()
     except OSError as error:
         raise InputError(
             f"the file cannot be read: {error.strerror}.", "Check the path and the permissions.", file=path
         ) from None
+
+
+def read_text(path: Path) -> str:
+    r"""Return the text of a UTF-8 file, without its byte order mark, lines ended by ``\n``; raise InputError."""
+    data = read_bytes(path)
     try:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError as error:

@@ -16,7 +16,7 @@ import numpy as np
 
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.rows import number_of
-from deltacal_gen.files.toml import nearest
+from deltacal_gen.files.toml import nearest, read_bytes
 from deltacal_gen.machine.rotation import Array, from_turns, from_vector
 
 MM, KG_MM2 = 1e3, 1e6  # of a metre, of a kg m^2
@@ -291,12 +291,7 @@ class Tree:
 
 def _parsed(path: Path) -> Tag:
     """Return the element <robot> of a file."""
-    try:
-        data = path.read_bytes()
-    except OSError as error:
-        raise InputError(
-            f"the file cannot be read: {error.strerror}.", "Check the path and the permissions.", file=path
-        ) from None
+    data = read_bytes(path)
     parser, top = expat.ParserCreate(), Tag("", {}, 1)
     open_ = [top]
 

@@ -15,9 +15,9 @@ from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.prior import unsaid
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.residuals import HUBER, MOST_APART, MOST_GROSS, apart, lengths
+from deltacal_gen.estimation.series import sequence
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.files.robot import robot_size
-from deltacal_gen.instrument.kind import Readings
 from deltacal_gen.instrument.kinds import kind_of, mounts, readings
 from deltacal_gen.machine.places import read_together
 from deltacal_gen.machine.registry import Array, Machine
@@ -366,15 +366,16 @@ def without_knocked(problem: Problem, first: Fit) -> Problem | None:
         return None
     left = problem.residual(others.errors, others.instrument, problem.poses(others.errors))
     far = apart(_deviations(left, others))
-    return problem.subset(np.flatnonzero(~far)) if _for_a_while(far, problem.readings) else None
+    return problem.subset(np.flatnonzero(~far)) if _for_a_while(far, problem) else None
 
 
-def _for_a_while(far: np.ndarray, found: Readings) -> bool:
+def _for_a_while(far: np.ndarray, problem: Problem) -> bool:
     """Tell whether readings (R,) are in runs, more than errors of measurement are, and end as they began.
 
     What reaches the begin or the end of a set-up may be a slip, which has a name.
     """
-    order = np.lexsort((found.line, found.setup))
+    found = problem.readings
+    order = np.lexsort((sequence(found, problem.recording), found.setup))
     off, setup = far[order], found.setup[order]
     begins = np.append(True, setup[1:] != setup[:-1])
     both = off[1:] & off[:-1]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from deltacal_gen.estimation.series import taken
+from deltacal_gen.estimation.series import sequence
 from deltacal_gen.instrument.kind import Readings
 from deltacal_gen.machine.values import Recording, numbered
 from deltacal_gen.physics.motion import at_rate, runs_of
@@ -38,7 +38,7 @@ def folds(
     group = np.unique(group, return_inverse=True)[1]  # of poses that were not read there is no group
     groups = int(group.max()) + 1
     if rows > 1:
-        first = np.unique(group[np.argsort(taken(found, recording), kind="stable")], return_index=True)[1]
+        first = np.unique(group[np.argsort(sequence(found, recording), kind="stable")], return_index=True)[1]
         size = max(min(int(np.ceil(rows)), groups // (2 * count)), 1)
         group = (np.argsort(np.argsort(first)) // size)[group]
         groups = int(group.max()) + 1

@@ -18,7 +18,6 @@ from deltacal_gen.motion.library import Rung
 from deltacal_gen.results.diagnosis import EffectParameter
 
 ALIKE = 0.05  # p-value of what joints' values differ by: above it they agree within their standard deviations
-
 SIZES = 12  # that are looked at of an effect in common, over those that any of its joints would tell
 
 
