@@ -52,16 +52,20 @@ def usual(states: np.ndarray, load: np.ndarray) -> np.ndarray:
 
 
 def written(folder: Path, friction: Friction, runs: int = 4, seed: int = 0, sidecar: str = "", **kept: Any) -> Path:
-    """Write a recording of an arm with some friction, and its robot file; return the recording's path."""
+    """Write a recording of an arm with some friction, and its robot file; return the recording's path.
+
+    With `alone` one joint moves in every run, one after another, and the others stand at zero.
+    """
     machine, rng = robot(), np.random.default_rng(seed)
     own, inertia = dynamics_of(machine), bodies(LINKS).ravel()
     rows = [["run", "time_s", *(f"q{i}_deg" for i in (1, 2, 3)), *(f"tau{i}_Nm" for i in (1, 2, 3))]]
     for run in range(runs):
-        states = trajectory(kept.get("seconds", 12.0), 10 * seed + run)
+        moved = np.arange(3) == run % 3 if kept.get("alone") else np.ones(3)
+        states = moved * trajectory(kept.get("seconds", 12.0), 10 * seed + run)
         load = own.torque(states, inertia) / 1000
         tau = load + friction(states, load)
         for j, delay in enumerate(kept.get("delay", ())):
-            then = trajectory(kept.get("seconds", 12.0), 10 * seed + run, late=delay)
+            then = moved * trajectory(kept.get("seconds", 12.0), 10 * seed + run, late=delay)
             force = own.torque(then, inertia) / 1000
             tau[:, j] = (force + friction(then, force))[:, j]
         tau = tau + NOISE * rng.standard_normal(load.shape)

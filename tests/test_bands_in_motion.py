@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import json
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -130,3 +131,38 @@ def test_a_covariance_is_kept_by_its_factor() -> None:
     A = np.random.default_rng(0).standard_normal((4, 6)) * 10.0 ** np.arange(4)[:, None]
     L = unpacked(packed(A @ A.T))
     np.testing.assert_allclose(L @ L.T, A @ A.T, rtol=1e-7, atol=1e-7)
+
+
+@pytest.mark.parametrize("fit", [dc.identify, dc.diagnose])
+def test_what_joints_that_stood_did_not_show_is_not_made_up_of_their_noise(
+    fit: Callable[..., Any], tmp_path: Path, run: Run
+) -> None:
+    """Joint by joint a column of those that stand is noise; scaled by that, it foretold torques of any size."""
+    for name in ("alone", "together"):
+        (tmp_path / name).mkdir()
+    alone = written(tmp_path / "alone", usual, runs=6, seed=7, seconds=6.0, alone=True)
+    fresh = written(tmp_path / "together", usual, runs=1, seed=8)
+    found = fit(alone.with_name("robot.toml"), alone)
+    assert found["rank"] < len(found["parameters"]) == 15
+    assert any("base parameters" in each["why"] for each in found["next_measurements"])
+    given = np.nanmax(np.abs(predicted(found, fresh)[1]), axis=0)
+    told = dc.validate(found.to_dict(), fresh)
+    assert (np.array(told["rms_by_joint"]) < given).all()
+    assert min(told["unshown_by_joint"][:2]) > 500
+    assert sum(dc.validate(found.to_dict(), alone)["unshown_by_joint"]) == 0
+    assert held(found.to_dict(), fresh) > 0.95
+    result = tmp_path / "found.json"
+    result.write_text(json.dumps(found.to_dict()))
+    said: list[str] = []
+    commands.predict(found.to_dict(), fresh, tell=said.append)
+    assert any("must move at once" in words for words in said)
+    assert "must move at once" in " ".join(run("validate", result, fresh)[1].split())
+
+
+def test_a_movement_of_all_joints_shows_all(tmp_path: Path) -> None:
+    for name in ("one", "other"):
+        (tmp_path / name).mkdir()
+    found = dc.identify(tmp_path / "one" / "robot.toml", written(tmp_path / "one", usual, seed=7))
+    told = dc.validate(found.to_dict(), written(tmp_path / "other", usual, runs=1, seed=8))
+    assert found["rank"] == len(found["parameters"]) == 15
+    assert list(told["unshown_by_joint"]) == [0, 0, 0]

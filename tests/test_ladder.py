@@ -39,7 +39,7 @@ def ladder(sizes: tuple[float, ...], correlated: Callable[[np.ndarray], float]) 
     y = X @ np.array(sizes) + rng.standard_normal(SAMPLES)
     names = ("coulomb_friction", "viscous_friction", "presliding_friction", "quadratic_friction")
     rungs = tuple(Rung(name, (0.1,) if name == "presliding_friction" else ()) for name in names[: len(sizes)])
-    bench = regression.Bench.of(X, y, fold, 0)
+    bench = regression.Bench.of(X, y, fold, np.empty(0))
     return Ladder(bench, rungs, tuple((c,) for c in range(len(sizes))), X, y, correlated, fold)
 
 
@@ -70,7 +70,7 @@ def test_what_bodies_take_up_in_a_fit_and_do_not_foretell_is_of_the_drive() -> N
     alike = one.X[:, [1]] * (fold[:, None] == np.arange(FOLDS))  # in every run another column does the same
     X = np.hstack([alike, one.X])
     at = tuple((FOLDS + c,) for c in range(2))
-    bench = regression.Bench.of(X, one.y, fold, FOLDS)
+    bench = regression.Bench.of(X, one.y, fold, np.ones(FOLDS))
     known = dataclasses.replace(one, bench=bench, X=X, at=at, correlated=lambda _: 20.0, counted={})
     assert known.gain([0, 1], 1, range(FOLDS)) < known.charge(1)
     assert known.foretells([0, 1], 1, range(FOLDS)) > 3 * known.charge(1)
@@ -81,7 +81,7 @@ def test_what_a_ridge_presumes_is_no_knowledge() -> None:
     rng = np.random.default_rng(5)
     one = rng.standard_normal(SAMPLES)
     X = np.column_stack([one, one + 1e-3 * rng.standard_normal(SAMPLES)])
-    bench = regression.Bench.of(X, one, np.arange(SAMPLES) % FOLDS, 2)
+    bench = regression.Bench.of(X, one, np.arange(SAMPLES) % FOLDS, np.ones(2))
     variance = np.diag(np.linalg.inv((X / bench.scale).T @ (X / bench.scale)))
     for ridge in regression.RIDGES:
         known = dataclasses.replace(bench, ridge=ridge).covariance(range(2))
@@ -151,7 +151,7 @@ def test_what_is_held_out_is_that_of_fits_to_the_other_folds() -> None:
     other = one.X.copy()
     other[:, 1] = values * one.bench.scale[1]
     moved = one.bench.with_columns([1], other, one.y, fold)
-    same = regression.Bench.of(other, one.y, fold, 0)
+    same = regression.Bench.of(other, one.y, fold, np.empty(0))
     by = np.array([1.0, one.bench.scale[1] / same.scale[1], 1.0])
     np.testing.assert_allclose(moved.G * by * by[:, None], same.G, atol=1e-8)
     np.testing.assert_allclose(moved.g * by, same.g, atol=1e-8)

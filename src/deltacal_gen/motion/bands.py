@@ -17,7 +17,6 @@ from deltacal_gen.errors import InputError
 from deltacal_gen.motion.fit import Fit
 from deltacal_gen.motion.joint import earlier
 from deltacal_gen.motion.library import Rung
-from deltacal_gen.motion.regression import Bench
 from deltacal_gen.motion.sizes import STEP, by_sizes
 from deltacal_gen.physics.factors import HELD, packed, quantile, unpacked
 from deltacal_gen.results.motion import JointModel, JointUncertainty
@@ -27,6 +26,8 @@ if TYPE_CHECKING:
     from deltacal_gen.motion.trajectories import Trajectories
 
 FEWEST = 3.0  # degrees of freedom on which a figure may rest
+WIDE = 3.0  # times what one reading scatters: what is less sure than that, nobody has seen
+TIES = 1e-6  # of a standard deviation: what sums in another order differ by
 
 
 def uncertainty_of(fit: Fit) -> JointUncertainty:
@@ -39,6 +40,7 @@ def uncertainty_of(fit: Fit) -> JointUncertainty:
     return JointUncertainty(
         factor=packed(fit.covariance),
         scatter=float(np.sqrt(beyond)) / quantile(degrees),
+        shown=float(np.sqrt(((_slopes(fit) @ unpacked(packed(fit.covariance))) ** 2).sum(axis=1).max())),
         degrees=float(degrees),
         delay_std=None if fit.lag is None else fit.lag.std,
     )
@@ -46,9 +48,8 @@ def uncertainty_of(fit: Fit) -> JointUncertainty:
 
 def _apart(fit: Fit) -> Array:
     """Return by how much (variance, (M,)) each sample is unknown to fits to the other folds."""
-    joint = fit.joint
-    X = np.hstack([joint.columns(fit.rungs, fit.load), by_sizes(joint, fit.rungs, fit.coefficients, fit.load)])
-    bench, each = Bench.of(X, joint.y, joint.fold, joint.X.shape[1]), range(X.shape[1])
+    joint, X = fit.joint, _slopes(fit)
+    bench, each = joint.bench(X), range(X.shape[1])
     out = np.zeros(len(X))
     for fold in bench.folds:
         own = joint.held == fold
@@ -56,6 +57,12 @@ def _apart(fit: Fit) -> Array:
         columns = X[own] / bench.scale
         out[own] = ((columns @ C) * columns).sum(axis=1) * fit.sigma**2 * fit.together
     return out
+
+
+def _slopes(fit: Fit) -> Array:
+    """Return the derivatives (M, p) of what a fit says of its samples by all that its covariance is of."""
+    joint = fit.joint
+    return np.hstack([joint.columns(fit.rungs, fit.load), by_sizes(joint, fit.rungs, fit.coefficients, fit.load)])
 
 
 def half_width(
@@ -75,6 +82,29 @@ def half_width(
     InputError
         The result says nothing of its uncertainty.
     """
+    variance, known = unsure(model, read, past, columns, given)
+    return np.asarray(quantile(known.degrees) * np.sqrt(variance + known.scatter**2))
+
+
+def unshown(
+    model: JointModel, read: dict[str, Array], past: Sequence[dict[str, Array]], columns: Array, given: Trajectories
+) -> np.ndarray:
+    """Return the samples (N,) that ask of a joint what its recording did not show; see `half_width`.
+
+    Coefficients leave them far less sure (`WIDE`) than a reading beside the fit was, and less than any sample of that
+    recording. None of an earlier version's result.
+    """
+    if model.uncertainty is None:
+        return np.zeros(given.n_rows, dtype=bool)
+    variance, known = unsure(model, read, past, columns, given)
+    most = max(WIDE * known.scatter, known.shown or 0.0)
+    return np.asarray(variance > (most * (1 + TIES)) ** 2)
+
+
+def unsure(
+    model: JointModel, read: dict[str, Array], past: Sequence[dict[str, Array]], columns: Array, given: Trajectories
+) -> tuple[Array, JointUncertainty]:
+    """Return the variance (N,) of what a joint's coefficients predict, and all that is known of it."""
     known = model.uncertainty
     if known is None:
         raise InputError(
@@ -97,10 +127,10 @@ def half_width(
             "changed by hand.",
             "Give the file as it was written.",
         )
-    variance = ((J @ L) ** 2).sum(axis=1) + known.scatter**2
+    variance = ((J @ L) ** 2).sum(axis=1)
     if known.delay_std is not None:
         variance += (earlier(total, known.delay_std, given.time, given.piece) - total) ** 2
-    return np.asarray(quantile(known.degrees) * np.sqrt(variance))
+    return np.asarray(variance), known
 
 
 def _of_machine(model: JointModel) -> Array:

@@ -13,7 +13,7 @@ from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.bodies import Found, beside, searched
 from deltacal_gen.motion.common import in_common
 from deltacal_gen.motion.fit import Fit, fitted
-from deltacal_gen.motion.identification import RIGID, bodies_told
+from deltacal_gen.motion.identification import RIGID, bodies_told, still_to_show
 from deltacal_gen.motion.ladder import BUYS, LookedAt
 from deltacal_gen.motion.lag import LATENCY
 from deltacal_gen.motion.laws import Lawful, lawful
@@ -78,9 +78,10 @@ def diagnose(robot: Robot, given: Trajectories, progress: Progress) -> MotionDia
     open_ = [r for r in rests if r is not None]
     verdict = Verdict.UNEXPLAINED if open_ else Verdict.MISSING_PHYSICS if effects or laws else Verdict.ADEQUATE
     final = session.left(found)
+    bodies = bodies_told(free.rigid, beside(free, found) if laws else whole.free)
     return MotionDiagnosis(
         **session.answered(found),
-        **bodies_told(free.rigid, beside(free, found) if laws else whole.free),
+        **bodies,
         traces=traces(session, plain, found),
         verdict=verdict,
         summary=_summary(effects, laws, open_, session, found),
@@ -94,7 +95,7 @@ def diagnose(robot: Robot, given: Trajectories, progress: Progress) -> MotionDia
         unexplained=tuple(Unexplained(limb=r.joint, channel=r.channel, share=r.share, text=r.text) for r in open_),
         rejected=_rejected(session, effects, found),
         not_tested=_not_tested(session, found),
-        next_measurements=_next(session, effects, found),
+        next_measurements=(*_next(session, effects, found), *still_to_show(bodies)),
         laws=laws,
     )
 

@@ -12,7 +12,7 @@ import numpy as np
 from deltacal_gen.motion.joint import USUAL, Joint
 from deltacal_gen.motion.ladder import BEGUN_WITH, BUYS, Ladder, LookedAt, columns_of
 from deltacal_gen.motion.library import LOAD, Rung, hats, resolution
-from deltacal_gen.motion.regression import BETWEEN, Bench
+from deltacal_gen.motion.regression import BETWEEN, presumed
 from deltacal_gen.motion.sizes import settled
 
 if TYPE_CHECKING:
@@ -115,8 +115,8 @@ class Fit:
     def ladder(self, more: Sequence[Rung] = ()) -> Ladder:
         """Return the ladder of what the fit has and of further rungs, to be asked what each is worth beside others."""
         joint, rungs = self.joint, (*self.rungs, *more)
-        X, rigid = joint.columns(rungs, self.load), joint.X.shape[1]
-        bench, at = Bench.of(X, joint.y, joint.fold, rigid), columns_of(rungs, rigid)
+        X = joint.columns(rungs, self.load)
+        bench, at = joint.bench(X), columns_of(rungs, joint.X.shape[1])
         return Ladder(bench, rungs, at, X, joint.y, joint.correlated, joint.held, sense=joint.sense)
 
     def with_worth(self) -> Fit:
@@ -128,6 +128,11 @@ class Fit:
             gains=tuple(ladder.gain(every, k, ladder.bench.folds) for k in every),
             passed_over=ladder.passed_over(every, ladder.bench.folds),
         )
+
+    @property
+    def least(self) -> float:
+        """What is known of the rigid machine beforehand, as a ridge; see `presumed`."""
+        return max(self.joint.series.least, presumed(self.left, self.together, self.joint.y + self.joint.carried))
 
     @property
     def sigma(self) -> float:
@@ -144,9 +149,11 @@ def fitted(joint: Joint, some: Sequence[Rung], held_out: Array | None = None) ->
     load, X = _by_own_load(joint, some, joint.load_by(None), None)
     some, by_size = settled(joint, some, load)
     X = joint.columns(some, load)
-    bench = Bench.of(np.hstack([X, by_size]), joint.y, joint.fold, joint.X.shape[1])
+    bench = joint.bench(np.hstack([X, by_size]))
     every, each = range(X.shape[1]), range(X.shape[1] + by_size.shape[1])
     bench = bench.with_ridge(every)
+    left = bench.left(X, joint.y, every, range(len(bench.n)))
+    bench = bench.believing(presumed(left, joint.correlated(left), joint.y + joint.carried))
     found = bench.fit(every, range(len(bench.n))) / bench.scale[every]
     left = joint.y - X @ found
     count = joint.correlated(left)
@@ -170,7 +177,7 @@ def _by_own_load(joint: Joint, some: Sequence[Rung], load: Array, folds: Sequenc
     """
     X, rigid = joint.columns(some, load), joint.X.shape[1]
     for _ in range(SETTLES if any(rung.of_load for rung in some) else 0):
-        bench, every = Bench.of(X, joint.y, joint.fold, rigid), range(X.shape[1])
+        bench, every = joint.bench(X), range(X.shape[1])
         bench = bench.with_ridge(every, folds)
         found = bench.fit(every, range(len(bench.n)) if folds is None else folds) / bench.scale
         load = np.asarray(joint.X @ found[:rigid] + joint.carried)
@@ -190,7 +197,7 @@ def climbed(joint: Joint) -> Fit:
     rigid, width = joint.X.shape[1], X.shape[1]
     at = columns_of(candidates, rigid)
     X = np.asfortranarray(np.hstack([X, hats(joint.states["q"], SMOOTH)]))  # what is read is some columns
-    bench = Bench.of(X, joint.y, joint.fold, rigid)
+    bench = joint.bench(X)
     rival = tuple(range(width, X.shape[1]))
     resolved = resolution(joint.states)
     ladder = Ladder(bench, candidates, at, X, joint.y, joint.correlated, joint.held, rival, resolved, sense=joint.sense)
@@ -244,7 +251,7 @@ def _apart(joint: Joint, ladder: Ladder, others: Sequence[int], own: np.ndarray)
     by_load = {k: rung for k, rung in enumerate(ladder.rungs) if rung.of_load}
     ladder, chosen = _climbed_by(joint, _with_rungs(joint, ladder, by_load, load), load, others)
     _, columns = _by_own_load(joint, [ladder.rungs[k] for k in chosen], load, others)
-    apart, every = Bench.of(columns, joint.y, joint.fold, joint.X.shape[1]), range(columns.shape[1])
+    apart, every = joint.bench(columns), range(columns.shape[1])
     return apart.with_ridge(every, others).left(columns[own], joint.y[own], every, others)
 
 
@@ -294,7 +301,7 @@ def _refined(joint: Joint, beside: Sequence[Rung], rung: Rung, wide: float, load
     """Return an effect with the size, up to a factor `wide` from its own, that leaves least of some folds."""
     tried = [Rung(rung.effect, (rung.constants[0] * f,)) for f in np.geomspace(1 / wide, wide, TRIED)]
     X = joint.columns([*beside, *tried], load)
-    bench = Bench.of(X, joint.y, joint.fold, joint.X.shape[1])
+    bench = joint.bench(X)
     first = X.shape[1] - sum(t.width for t in tried)
     errors = [bench.train([*range(first), first + n], folds) for n in range(len(tried))]
     return tried[int(np.argmin(errors))]

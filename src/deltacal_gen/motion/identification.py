@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,10 +15,12 @@ from deltacal_gen.motion.joint import USUAL
 from deltacal_gen.motion.ladder import BUYS
 from deltacal_gen.motion.library import Rung
 from deltacal_gen.motion.mistakes import check, too_heavy
+from deltacal_gen.motion.regression import BELIEVED
 from deltacal_gen.motion.rigid import Rigid
 from deltacal_gen.motion.session import Session, still_to_move
 from deltacal_gen.motion.traces import traces
 from deltacal_gen.motion.trajectories import Trajectories
+from deltacal_gen.results.diagnosis import NextMeasurement
 from deltacal_gen.results.motion import Consistent, InertialParameter, MotionResult
 from deltacal_gen.results.result import Read, Regularisation, Status
 
@@ -26,7 +28,7 @@ if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Array
 
 RIGID = "rigid"  # name of the model, behind that of the mechanism
-RANK = 1e-9  # of the largest singular value: a smaller one is none
+RANK = 1.0  # singular value of what readings tell as much of as is known without them
 SURE = 3.0  # standard deviations from zero of a parameter that is told as identified
 NEXT_TO_NOTHING = 0.8  # of the readings' rms: so much is left where bodies are fitted to readings of other rows
 TAKEN_UP = 1.0  # standard deviation of a parameter: what friction must change of one, to be told
@@ -47,14 +49,15 @@ def identify(robot: Robot, given: Trajectories, model: str | None = None) -> Mot
     check(session)
     fits = [fitted(joint, []) for joint in session.moving]
     final, noise = session.left(fits, name), session.noise(fits)
+    bodies = bodies_told(session.rigid, fits)
     figures = {key: value for key, value in final.written() if key.startswith(("train_rms_", "heldout_rms_"))}
     sigmas = {key: value for key, value in noise.written() if key.startswith("sigma_")}
     return MotionResult(
         **session.answered(fits),
-        **bodies_told(session.rigid, fits),
+        **bodies,
         model=name,
         traces=traces(session, fits, fits),
-        next_measurements=still_to_move(session, fits),
+        next_measurements=(*still_to_move(session, fits), *still_to_show(bodies)),
         regularisation=Regularisation(rule="base parameters are shrunk by what predicts held-out samples best"),
         readings=Read(kind=given.kind, scalars=sum(len(fit.left) for fit in fits), poses=given.n_rows),
         noise=noise,
@@ -79,19 +82,30 @@ def bodies_told(rigid: Rigid, fits: Sequence[Fit]) -> dict[str, Any]:
     """Return the fields of an answer that say what is known of bodies, beside what effects the fits have."""
     torques, parameters = reads_torques(fits), base_parameters(rigid, fits)
     each = [_singular(rigid, fits)] if torques else [_singular_of(fit) for fit in fits]
-    full = all(len(values) and values[-1] > RANK * values[0] for values in each)
+    known = [len(values) > 0 and values[-1] > RANK for values in each]
     bodies, off = _consistent(rigid, fits) if torques else (None, None)
     return {
         "parameters": tuple(parameters),
-        "rank": len(parameters),
+        "rank": int(sum(np.count_nonzero(values > RANK) for values in each)),
         "rank_tolerance": RANK,
         "singular_values": np.concatenate(each),
-        "condition": max(float(values[0] / values[-1]) for values in each) if full else None,
-        "scaling": "each column of size 1, over all readings by their noise",
+        "condition": max(float(values[0] / values[-1]) for values in each) if all(known) else None,
+        "scaling": f"over what is known beforehand: {BELIEVED:g} times what a joint gave is the most that a parameter "
+        "asks of it where all joints move as the quickest did",
         "unidentifiable": tuple(rigid.unseen(rigid.common)),
         "consistent": bodies,
         "consistent_off": off,
     }
+
+
+def still_to_show(bodies: Mapping[str, Any]) -> tuple[NextMeasurement, ...]:
+    """Return how to move so that a recording tells all base parameters; nothing where it does."""
+    rank, count = bodies["rank"], len(bodies["parameters"])
+    if rank == count:
+        return ()
+    text = "Move all joints at once, each over its range and at several speeds; plan gives such a movement."
+    why = f"the movement tells {rank} of {count} base parameters"
+    return (NextMeasurement(why=why, text=text, poses=(), expected_chi2=None, run=("q", "qd", "qdd")),)
 
 
 def _of_friction(session: Session, fits: Sequence[Fit]) -> str | None:
@@ -148,23 +162,25 @@ def base_parameters(rigid: Rigid, fits: Sequence[Fit]) -> list[InertialParameter
 
 
 def _singular(rigid: Rigid, fits: Sequence[Fit]) -> Array:
-    """Return the singular values of the common base parameters' columns, each of size 1."""
-    G, _ = _normal(rigid, fits)
-    scale = np.sqrt(np.maximum(np.diag(G), 1e-300))
+    """Return the singular values of the common base parameters' columns, over what is known beforehand."""
+    G, _, known = _normal(rigid, fits)
+    scale = np.sqrt(known)
     return np.asarray(np.sqrt(np.maximum(np.linalg.eigvalsh(G / np.outer(scale, scale))[::-1], 0.0)))
 
 
 def _singular_of(fit: Fit) -> Array:
-    """Return the singular values of one joint's columns, each of size 1."""
+    """Return the singular values of one joint's columns, over what is known beforehand."""
     X = fit.beside_effects(fit.joint.X)
-    size = np.linalg.norm(X, axis=0)
-    return np.asarray(np.linalg.svd(X / np.where(size > 0, size, 1.0), compute_uv=False))
+    return np.asarray(np.linalg.svd(X / (fit.joint.usual * np.sqrt(fit.least * len(X))), compute_uv=False))
 
 
-def _normal(rigid: Rigid, fits: Sequence[Fit]) -> tuple[Array, Array]:
-    """Return normal equations (r, r), (r,) of the common base parameters by all joints, each by its own noise."""
+def _normal(rigid: Rigid, fits: Sequence[Fit]) -> tuple[Array, Array, Array]:
+    """Return normal equations (r, r), (r,) of the common base parameters by all joints, each by its own noise.
+
+    With them comes what is known beforehand (r,), which their diagonal does not hold.
+    """
     size = rigid.common.rank
-    G, g = np.zeros((size, size)), np.zeros(size)
+    G, g, known = np.zeros((size, size)), np.zeros(size), np.zeros(size)
     for fit in fits:
         own = rigid.own[fit.joint.number - 1]
         weight = 1.0 / (fit.sigma**2 * fit.together)
@@ -173,16 +189,18 @@ def _normal(rigid: Rigid, fits: Sequence[Fit]) -> tuple[Array, Array]:
         X = fit.beside_effects(X)
         G += weight * X.T @ X
         g += weight * X.T @ y
-    return G, g
+        usual = fit.joint.usual**2 @ own.made_up[:, rigid.common.chosen] ** 2
+        known += weight * len(X) * fit.least * usual
+    return G, g, np.maximum(known, 1e-300)
 
 
 def _common(rigid: Rigid, fits: Sequence[Fit]) -> list[InertialParameter]:
     """Return the base parameters by the torques of all joints together."""
-    G, g = _normal(rigid, fits)
-    scale = np.sqrt(np.maximum(np.diag(G), 1e-300))
-    inverse = np.linalg.pinv(G / np.outer(scale, scale), rcond=1e-10, hermitian=True)
+    G, g, known = _normal(rigid, fits)
+    g = g - G @ rigid.stated_base(rigid.common)
+    scale = np.sqrt(known + np.diag(G))
+    inverse = np.linalg.inv((G + np.diag(known)) / np.outer(scale, scale))
     value, std = inverse @ (g / scale) / scale, np.sqrt(np.maximum(np.diag(inverse), 0.0)) / scale
-    value = value - rigid.stated_base(rigid.common)
     units = [rigid.dynamics.units[k] for k in rigid.common.chosen]
     return [
         _parameter(name, text, v, s, unit, None)
@@ -223,10 +241,10 @@ def _consistent(rigid: Rigid, fits: Sequence[Fit]) -> tuple[tuple[Consistent, ..
     Masses on a lattice, by least squares that keeps them positive (Lawson, Hanson 1974). With them comes by how much
     their base parameters are off: rms, in standard deviations.
     """
-    G, g = _normal(rigid, fits)
-    scale = np.sqrt(np.maximum(np.diag(G), 1e-300))
+    G, g, known = _normal(rigid, fits)
+    scale = np.sqrt(known)
     values, vectors = np.linalg.eigh(G / np.outer(scale, scale))
-    kept = values > 1e-10 * values[-1]
+    kept = values > RANK**2
     half = np.sqrt(values[kept])[:, None] * (vectors[:, kept].T * scale)
     wanted = (vectors[:, kept].T @ (g / scale)) / np.sqrt(values[kept])
     simplest = rigid.dynamics.buildable()

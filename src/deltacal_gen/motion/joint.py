@@ -12,7 +12,8 @@ import numpy as np
 
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.library import LOAD, Rung, of_joint, rungs
-from deltacal_gen.motion.regression import BETWEEN, Bench, folds_of, together
+from deltacal_gen.motion.regression import BETWEEN, RIDGES, Bench, folds_of, presumed, together
+from deltacal_gen.motion.rigid import Asked
 from deltacal_gen.motion.trajectories import Motion, Readout, Trajectories
 from deltacal_gen.physics.splines import Samples, smooth
 from deltacal_gen.units import of_joints
@@ -54,6 +55,8 @@ class Joint:
         Which samples these are.
     X, y : (M, r), (M,) arrays
         What each base parameter asks of the joint, and what it gave beyond what is known, in units inside.
+    usual : (r,) array
+        Size (rms) of these columns where all joints move as the liveliest one did; see `Rigid.as_lively`.
     carried : (M,) array
         What is known beforehand: of the payload, of bodies that the robot file states.
     states : dict of (M,) arrays
@@ -77,10 +80,15 @@ class Joint:
     rows: np.ndarray
     X: Array
     y: Array
+    usual: Array
     carried: Array
     states: dict[str, Array]
     piece: np.ndarray
     step: float
+
+    def bench(self, columns: Array) -> Bench:
+        """Return the normal equations of columns (M, r + c), the rigid machine's first."""
+        return Bench.of(columns, self.y, self.fold, self.usual, self.series.least)
 
     @property
     def unit(self) -> str:
@@ -102,7 +110,7 @@ class Joint:
         """-1 where dry and viscous friction would drive the joint: its reading is counted against its angle; else 1."""
         some = [Rung(name) for name in USUAL]
         X, rigid = self.columns(some, self.carried), self.X.shape[1]
-        bench = Bench.of(X, self.y, self.fold, rigid)
+        bench = self.bench(X)
         every, own = range(X.shape[1]), slice(rigid, rigid + 2)
         bench = bench.with_ridge(every)
         found = bench.fit(every, range(len(bench.n))) / bench.scale
@@ -136,7 +144,7 @@ class Joint:
         """Return what the rigid machine asks of the joint (M,), by a fit beside usual friction to some folds or all."""
         some = [Rung(name) for name in USUAL]
         X = self.columns(some, self.carried)
-        bench = Bench.of(X, self.y, self.fold, self.X.shape[1])
+        bench = self.bench(X)
         every = range(X.shape[1])
         bench = bench.with_ridge(every)
         found = bench.fit(every, range(len(bench.n)) if folds is None else folds) / bench.scale
@@ -170,6 +178,8 @@ class Series:
     ----------
     X, y : (N, r), (N,) arrays
         What each unknown of the rigid machine asks of the joint, and what it gave, in units inside.
+    usual : (r,) array
+        Size (rms) of these columns where all joints move as the liveliest one did; see `Rigid.as_lively`.
     carried : (N,) array
         What of it is known beforehand: of the payload, of bodies that the robot file states.
     states : dict of (N,) arrays
@@ -186,6 +196,7 @@ class Series:
     threshold: float
     X: Array
     y: Array
+    usual: Array
     carried: Array
     states: dict[str, Array]
     known: np.ndarray
@@ -200,6 +211,17 @@ class Series:
         if rung not in self.memories:
             self.memories[rung] = rung.remembered(self.states, self.time, self.piece)
         return self.memories[rung]
+
+    @cached_property
+    def least(self) -> float:
+        """What is known of the rigid machine beforehand, as a ridge; see `presumed`."""
+        joint = self.at()
+        if not joint.moves:
+            return RIDGES[0]
+        X = joint.columns([Rung(name) for name in USUAL], joint.carried)
+        bench = Bench.of(X, joint.y, joint.fold, self.usual)
+        left = bench.left(X, joint.y, range(X.shape[1]), range(len(bench.n)))
+        return presumed(left, joint.correlated(left), joint.y + joint.carried)
 
     def at(self, delay: float = 0.0) -> Joint:
         """Return the samples in motion, readings belonging to joints `delay` [s] earlier."""
@@ -227,6 +249,7 @@ class Series:
             rows=rows,
             X=X[rows],
             y=y[rows],
+            usual=self.usual,
             carried=late(self.carried)[rows],
             states={name: values[rows] for name, values in states.items()},
             piece=self.piece,
@@ -253,36 +276,38 @@ def earlier(values: Array, delay: float, time: Array, piece: np.ndarray) -> Arra
 
 
 def series_of(
-    robot: Robot, given: Trajectories, motion: Motion, columns: Sequence[Array], payload: Array, known: Array
+    robot: Robot, given: Trajectories, motion: Motion, asked: Asked, usual: Asked, known: Array
 ) -> list[Series]:
     """Return every joint of a recording.
 
     Parameters
     ----------
-    columns : sequence of (N, r) arrays
-        What base parameters ask of each joint.
-    payload : (N, n_q) array
-        What 1 kg at the tool point asks of it.
+    asked : Asked
+        What base parameters and a payload ask of each joint, at all samples.
+    usual : Asked
+        The same in general position, all joints as quick as the quickest was; see `Rigid.as_lively`.
     known : (N, n_q) array
         What is known beside, of bodies that the robot file states; only where a torque or a force is read.
     """
     found = []
     there = np.isfinite(motion.states).all(axis=(0, 2)) & ~motion.loose
     states = np.nan_to_num(motion.states)
-    for j, X in enumerate(columns):
+    for j, (X, general) in enumerate(zip(asked.columns, usual.columns, strict=True)):
         readout = given.readouts[j]
         y = given.readings[:, j] * readout.inside
-        carried = payload[:, j] * given.payload
+        carried = asked.payload[:, j] * given.payload
         if carried.any() and not readout.forces:  # unknown per torque, for a payload as for the machine
             X = np.column_stack([X, carried])
+            general = np.column_stack([general, usual.payload[:, j] * given.payload.max()])
         found.append(
             Series(
                 robot=robot,
                 number=j + 1,
                 readout=readout,
-                threshold=resting_below(motion, j, of_joints(given.joint_unit, len(columns))),
+                threshold=resting_below(motion, j, of_joints(given.joint_unit, len(asked.columns))),
                 X=X,
                 y=y,
+                usual=np.sqrt(np.mean(general**2, axis=0)),
                 carried=carried + known[:, j] if readout.forces else np.zeros(len(y)),
                 states=of_joint(given, states, j),
                 known=there,

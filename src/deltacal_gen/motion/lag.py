@@ -11,7 +11,7 @@ from deltacal_gen.motion.fit import Fit, Lag, climbed
 from deltacal_gen.motion.joint import USUAL, Joint
 from deltacal_gen.motion.ladder import BUYS, PER_COEFFICIENT
 from deltacal_gen.motion.library import Rung
-from deltacal_gen.motion.regression import BETWEEN, Bench
+from deltacal_gen.motion.regression import BETWEEN
 
 LATENCY = "latency"  # as the vocabulary calls it
 LONGEST = 0.25  # s
@@ -76,7 +76,7 @@ def _foretold(joint: Joint, rungs: Sequence[Rung], load: np.ndarray) -> bool:
 def _apart(joint: Joint, rungs: Sequence[Rung], folds: Sequence[int]) -> np.ndarray:
     """Return what a fit to some folds leaves of all samples (M,)."""
     X = _columns(joint, rungs)
-    bench, every = Bench.of(X, joint.y, joint.fold, joint.X.shape[1]), range(X.shape[1])
+    bench, every = joint.bench(X), range(X.shape[1])
     return bench.with_ridge(every, folds).left(X, joint.y, every, folds)
 
 
@@ -97,13 +97,13 @@ def _lag(joint: Joint, rungs: Sequence[Rung], load: np.ndarray, folds: Sequence[
     for _ in range(ROUNDS):
         here = series.at(delay)
         X, (per_second, of_known) = _columns(here, rungs), _by_delay(here, rungs)
-        bench = Bench.of(X, here.y, here.fold, here.X.shape[1])
+        bench = here.bench(X)
         every = range(X.shape[1])
         bench = bench.with_ridge(every)
         rows = range(len(bench.n)) if folds is None else folds
         fitted = bench.fit(every, rows) / bench.scale
         whole = np.column_stack([X, per_second @ fitted + of_known])
-        moved = Bench.of(whole, here.y, here.fold, here.X.shape[1])
+        moved = here.bench(whole)
         moved = dataclasses.replace(moved, ridge=bench.ridge)
         each = range(whole.shape[1])
         solution = moved.fit(each, rows) / moved.scale
@@ -129,7 +129,7 @@ def _told(joint: Joint, rungs: Sequence[Rung], delay: float, std: float, togethe
     held, left = [], []
     for at in (now, late):
         X = _columns(at, rungs)
-        bench = Bench.of(X, at.y, at.fold, at.X.shape[1])
+        bench = at.bench(X)
         every, folds = range(X.shape[1]), bench.folds
         held.append(bench.held_out(every, folds))
         left.append(bench.train(every, folds) / float(bench.n[list(folds)].sum()))

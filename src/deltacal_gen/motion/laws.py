@@ -23,7 +23,7 @@ from deltacal_gen.motion.fit import Fit, fitted
 from deltacal_gen.motion.joint import OFFSET
 from deltacal_gen.motion.ladder import BEGUN_WITH, BUYS, PER_COEFFICIENT
 from deltacal_gen.motion.library import LOAD, Rung
-from deltacal_gen.motion.regression import BETWEEN, Bench
+from deltacal_gen.motion.regression import BETWEEN
 from deltacal_gen.motion.unexplained import SHOWS, Rest, channels, rest
 from deltacal_gen.physics.grammar import THRESHOLDS, Atom, Form, full, product, single, switch
 from deltacal_gen.physics.law import PREFIX, Law, load_law
@@ -294,7 +294,7 @@ class _Search:
         joint = self.fit.joint
         before = np.hstack([self.own, *(rung.columns(self.states) for rung in self.terms)])
         X = np.hstack([before, _rung(form, self.limits).columns(self.states)])
-        bench = Bench.of(X, joint.y, joint.fold, joint.X.shape[1])
+        bench = joint.bench(X)
         own, every = range(before.shape[1]), range(X.shape[1])
         after = bench.fit(every, self.folds)
         count = float(bench.n[list(self.folds)].sum()) / joint.correlated(joint.y - X @ (after / bench.scale))
@@ -314,7 +314,7 @@ def _proof(fit: Fit, terms: Sequence[Rung], inside: Sequence[int], apart: Sequen
     own = joint.columns(fit.rungs, fit.load)
     law = np.hstack([rung.columns(states) for rung in terms])
     smooth = list(channels(fit).values())
-    bench = Bench.of(np.hstack([own, law, *smooth]), joint.y, joint.fold, joint.X.shape[1])
+    bench = joint.bench(np.hstack([own, law, *smooth]))
 
     def left(more: Sequence[int]) -> float:
         columns = [*range(own.shape[1]), *more]
@@ -356,7 +356,7 @@ def _std(fit: Fit, forms: Sequence[Form], limits: dict[str, tuple[float, float]]
         places.append([*range(at, at + len(own)), *range(end, end + len(by))])
         at, end = at + len(own), end + len(by)
     whole = np.hstack(columns)
-    bench = Bench.of(whole, joint.y, joint.fold, joint.X.shape[1])
+    bench = joint.bench(whole)
     bench = bench.with_ridge(range(X.shape[1]))
     variance = fit.sigma**2 * fit.together
     std = np.sqrt(np.maximum(np.diag(bench.covariance(range(whole.shape[1]))), 0.0) * variance) / bench.scale

@@ -91,7 +91,7 @@ def _where_both_move(one: Joint, other: Joint) -> np.ndarray | None:
 def _held_out(joint: Joint, X: Array, rows: np.ndarray, y: Array) -> float:
     """Return what is left of readings (K,) at some of a joint's samples by its own movement, rms of held-out ones."""
     at = np.searchsorted(joint.rows, rows)
-    bench = Bench.of(X[at], y - joint.carried[at], joint.fold[at], joint.X.shape[1])
+    bench = Bench.of(X[at], y - joint.carried[at], joint.fold[at], joint.usual)
     return math.sqrt(bench.held_out(range(X.shape[1]), bench.folds)) if len(bench.folds) > 1 else math.inf
 
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from deltacal_gen.files.robot import robot_of
-from deltacal_gen.motion.bands import half_width
+from deltacal_gen.motion.bands import half_width, unshown
 from deltacal_gen.motion.derivatives import motion
 from deltacal_gen.motion.joint import earlier
 from deltacal_gen.motion.library import LOAD, Rung, of_joint
@@ -55,6 +55,7 @@ def predicted(known: MotionModel, given: Trajectories, *, bands: bool = False) -
     units = tuple(column.rpartition("_")[2] if "_" in column else "1" for column in known.columns)
     done = dataclasses.replace(given, columns=known.columns, units=units)
     out, outside = np.full(given.joints.shape, np.nan), np.zeros(given.n_rows, dtype=bool)
+    beyond = np.zeros(given.joints.shape, dtype=bool)
     loads = out.copy()
     half = np.full(given.joints.shape, np.nan) if bands else None
     for j, model in models.items():
@@ -68,10 +69,11 @@ def predicted(known: MotionModel, given: Trajectories, *, bands: bool = False) -
         read = read | {LOAD: load_of(model, *own)}
         loads[:, j - 1] = np.where(moving, read[LOAD] / done.readouts[j - 1].inside, np.nan)
         outside |= moving & beyond_laws(model, read)
+        by = own[0] if model.payload is None else np.column_stack(own[:2])
+        beyond[:, j - 1] = moving & ~found.loose & unshown(model, read, past, by, given)
         if half is not None:
-            by = own[0] if model.payload is None else np.column_stack(own[:2])
             half[:, j - 1] = half_width(model, read, past, by, given) / done.readouts[j - 1].inside
-    return dataclasses.replace(done, readings=out, outside=outside, load=loads, half=half)
+    return dataclasses.replace(done, readings=out, outside=outside, unshown=beyond, load=loads, half=half)
 
 
 def beyond_laws(model: JointModel, states: dict[str, Array]) -> np.ndarray:
@@ -167,6 +169,7 @@ def validated(known: MotionResult | MotionDiagnosis, given: Trajectories) -> Mot
         at_rest=int((np.isfinite(given.readings) & ~np.isfinite(done.readings)).sum()),
         repairs=given.repairs,
         outside_law=int(done.outside.sum()) if known.has_law else None,
+        unshown_by_joint=tuple(int(n) for n in (done.unshown & np.isfinite(left)).sum(axis=0)),
     )
 
 

@@ -28,6 +28,7 @@ MOVING = 0.5  # of the shortest stretch: so long the joint must be in motion in 
 LONGEST = 2.0  # s over which samples hang together, at most
 NOTHING = 1e-9  # of a column's mean square: what is left of one that others make up
 RIDGES = (1e-9, 1e-6, 1e-4, 1e-2)  # of a column's size, per sample
+BELIEVED = 3.0  # times what the joint gave: so much may one parameter of a machine ask in a movement of all joints
 
 
 def folds_of(time: Array, run: np.ndarray, used: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -88,9 +89,22 @@ def together(residual: Array, piece: np.ndarray, used: np.ndarray, step: float) 
     return float(1.0 + 2 * rho[1:last].sum())
 
 
+def presumed(left: Array, together: float, given: Array) -> float:
+    """Return the ridge, per sample, that says what is known of a machine beforehand.
+
+    In a movement of all joints no parameter asks for more than `BELIEVED` times what the joint gave, `given` (M,). It
+    counts by what is left (M,) of a fit, `together` samples as one. Where joints stood, nothing else is known.
+    """
+    size = BELIEVED**2 * float(given @ given)
+    return max(RIDGES[0], float(left @ left) * together / len(left) / size) if size else RIDGES[0]
+
+
 @dataclass(frozen=True, eq=False)
 class Bench:
-    """Normal equations of one joint by fold; columns are scaled to a mean square of 1.
+    """Normal equations of one joint by fold.
+
+    Columns are scaled to a mean square of 1; those of the rigid machine by what it would be in a movement of all
+    joints. Where joints stand, a column of theirs holds noise, and scaled by that it would be believed.
 
     Attributes
     ----------
@@ -100,8 +114,10 @@ class Bench:
         By which columns were divided.
     rigid : int
         How many columns, the first ones, are the rigid machine's.
+    least : float
+        What is known of these beforehand, in the same measure; see `presumed`.
     ridge : float
-        What is added to their normal equations, per sample.
+        What is added to their normal equations, per sample, where it is more than that.
     """
 
     G: Array
@@ -110,12 +126,17 @@ class Bench:
     n: Array
     scale: Array
     rigid: int
+    least: float = RIDGES[0]
     ridge: float = RIDGES[0]
 
     @classmethod
-    def of(cls, X: Array, y: Array, fold: np.ndarray, rigid: int) -> Bench:
-        """Return the normal equations of columns X (N, p) and readings y (N,) of folds (N,)."""
+    def of(cls, X: Array, y: Array, fold: np.ndarray, usual: Array, least: float = RIDGES[0]) -> Bench:
+        """Return the normal equations of columns X (N, p) and readings y (N,) of folds (N,).
+
+        The first columns (r) are the rigid machine's, `usual` (r,) their size in a movement of all joints.
+        """
         scale = np.sqrt(np.mean(X**2, axis=0))
+        scale[: len(usual)] = usual
         scale[scale == 0] = 1.0
         count = int(fold.max(initial=BETWEEN)) + 1
         parts = [fold == f for f in (*range(count), BETWEEN)]
@@ -126,7 +147,8 @@ class Bench:
             np.array([y[p] @ y[p] for p in parts]),
             np.array([float(p.sum()) for p in parts]),
             scale,
-            rigid,
+            len(usual),
+            least,
         )
 
     def with_columns(self, at: Sequence[int], X: Array, y: Array, fold: np.ndarray) -> Bench:
@@ -138,6 +160,10 @@ class Bench:
         rows = (X.T @ of_fold / self.scale[:, None]).reshape(-1, count, len(at)).transpose(1, 2, 0)
         G[:, at], G[:, :, at], g[:, at] = rows, rows.transpose(0, 2, 1), (y @ of_fold).reshape(count, -1)
         return replace(self, G=G, g=g)
+
+    def believing(self, least: float) -> Bench:
+        """Return the equations with what is known of the rigid machine beforehand, if that is more; see `presumed`."""
+        return replace(self, least=max(self.least, least))
 
     @property
     def folds(self) -> tuple[int, ...]:
@@ -153,8 +179,12 @@ class Bench:
         """Return the coefficients of columns, as scaled, by least squares on some folds."""
         (G, g), at = self._of(columns, folds), np.asarray(columns, dtype=int)
         n = self.n[list(folds)].sum()
-        G[np.diag_indices_from(G)] += np.where(at < self.rigid, self.ridge if ridge is None else ridge, RIDGES[0]) * n
+        G[np.diag_indices_from(G)] += self._held(at, self.ridge if ridge is None else ridge) * n
         return _solved(G, g)
+
+    def _held(self, columns: np.ndarray, ridge: float | Array) -> Array:
+        """Return what is added for columns (p,), per sample, with a ridge of the rigid machine's, or several (R, 1)."""
+        return np.where(columns < self.rigid, np.maximum(ridge, self.least), RIDGES[0])
 
     def left(self, X: Array, y: Array, columns: Sequence[int], folds: Sequence[int]) -> Array:
         """Return what a fit of columns to some folds leaves of samples (M,), X (M, p) unscaled."""
@@ -183,7 +213,7 @@ class Bench:
         at, rows = np.asarray(columns, dtype=int), list(folds)
         G, g = self.G[rows].sum(axis=0), self.g[rows].sum(axis=0)
         inner = G[np.ix_(at, at)]
-        inner[np.diag_indices_from(inner)] += np.where(at < self.rigid, self.ridge, RIDGES[0]) * self.n[rows].sum()
+        inner[np.diag_indices_from(inner)] += self._held(at, self.ridge) * self.n[rows].sum()
         if len(at):
             found = np.linalg.lstsq(inner, np.column_stack([G[at], g[at]]), rcond=1e-12)[0]
         else:
@@ -210,7 +240,7 @@ class Bench:
         if not len(at):
             return np.full(len(RIDGES), self.yy[rows].sum() / self.n[rows].sum())
         G, g, n = self.G[np.ix_(rows, at, at)], self.g[np.ix_(rows, at)], self.n[rows]
-        each = np.where(at < self.rigid, np.array(RIDGES)[:, None], RIDGES[0])
+        each = self._held(at, np.array(RIDGES)[:, None])
         rest = np.repeat((G.sum(axis=0) - G)[None], len(RIDGES), axis=0)
         rest[..., np.arange(len(at)), np.arange(len(at))] += each[:, None] * (n.sum() - n)[:, None]
         found = _each_solved(rest, g.sum(axis=0) - g)
@@ -222,9 +252,10 @@ class Bench:
 
         Without the ridge that serves predictions best: it is no knowledge of any coefficient.
         """
+        at = np.asarray(columns, dtype=int)
         rows = range(len(self.n)) if folds is None else folds
         G, _ = self._of(columns, rows)
-        G[np.diag_indices_from(G)] += RIDGES[0] * self.n[list(rows)].sum()
+        G[np.diag_indices_from(G)] += self._held(at, RIDGES[0]) * self.n[list(rows)].sum()
         return np.asarray(np.linalg.pinv(G, hermitian=True))
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -46,6 +46,21 @@ class Base:
         return len(self.chosen)
 
 
+class Asked(NamedTuple):
+    """What is asked of the joints at some samples, positive along positive readings.
+
+    Attributes
+    ----------
+    columns : list of (N, r) arrays
+        By each base parameter of a joint's own torque, per joint.
+    payload : (N, n_q) array
+        By 1 kg at the tool point.
+    """
+
+    columns: list[Array]
+    payload: Array
+
+
 class Rigid:
     """A robot whose inertial parameters are unknown.
 
@@ -75,7 +90,8 @@ class Rigid:
                 "Correct the lengths and angles of the robot file.",
                 file=robot.source,
             )
-        Y = Y[np.nan_to_num(size, nan=np.inf) < REGULAR * np.nanmedian(size)]
+        regular = np.nan_to_num(size, nan=np.inf) < REGULAR * np.nanmedian(size)
+        self._general, Y = general[:, regular] / sizes, Y[regular]
         said = self.dynamics.stated() if stated else np.full(len(self.names), np.nan)
         self.known = np.nan_to_num(said)
         Y[:, :, np.isfinite(said)] = 0.0  # what is known is no unknown
@@ -106,6 +122,20 @@ class Rigid:
             for j, some in enumerate(chosen):
                 out[j][part] = Y[:, j, some]
         return out
+
+    def asked(self, states: Array) -> Asked:
+        """Return what is asked of the joints at states (3, N, n_q), as the controller counts."""
+        return Asked(self.columns(states), self.of_payload(states))
+
+    def as_lively(self, states: Array) -> Array:
+        """Return states (3, G, n_q) in general position, all joints as quick as the quickest of some states is.
+
+        Quick by the rms of speeds and accelerations of `states` (3, N, n_q).
+        """
+        sizes = np.array([SIZE[unit] for unit in self.dynamics.joint_units])
+        quick = np.sqrt(np.mean((states / sizes) ** 2, axis=1)).max(axis=1)
+        quick[0] = 1.0  # positions are what they are
+        return np.asarray(self._sign * self._general * sizes * quick[:, None, None])
 
     def torque(self, states: Array, inertia: Array) -> Array:
         """Return what a machine with inertial parameters (n,) asks of each joint (N, n_q)."""

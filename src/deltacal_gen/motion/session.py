@@ -299,7 +299,7 @@ def series(
     known = rigid.torque(states, rigid.known)
     if payload is not None:
         known = known + torque_of(rigid, states, given, payload.setups, payload.values)
-    return series_of(robot, given, found, rigid.columns(states), rigid.of_payload(states), known)
+    return series_of(robot, given, found, rigid.asked(states), rigid.asked(rigid.as_lively(states)), known)
 
 
 def untold(session: Session, fits: Sequence[Fit]) -> tuple[list[int], list[int]]:

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from deltacal_gen.motion.library import LOAD, Rung
-from deltacal_gen.motion.regression import Bench
 
 if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Array
@@ -35,7 +34,7 @@ def settled(joint: Joint, rungs: Sequence[Rung], load: Array) -> tuple[list[Rung
     sized = [n for n, rung in enumerate(rungs) if rung.continuous]
     for _ in range(ROUNDS if sized else 0):
         X = joint.columns(rungs, load)
-        bench = Bench.of(X, joint.y, joint.fold, joint.X.shape[1]).with_ridge(range(X.shape[1]))
+        bench = joint.bench(X).with_ridge(range(X.shape[1]))
         found = bench.fit(range(X.shape[1]), range(len(bench.n))) / bench.scale
         left = joint.y - X @ found
         D = by_sizes(joint, rungs, found, load)
@@ -43,7 +42,7 @@ def settled(joint: Joint, rungs: Sequence[Rung], load: Array) -> tuple[list[Rung
             best = error, list(rungs), D
         else:
             break
-        whole = Bench.of(np.hstack([X, D]), joint.y, joint.fold, joint.X.shape[1])
+        whole = joint.bench(np.hstack([X, D]))
         whole = dataclasses.replace(whole, ridge=bench.ridge)
         every = range(X.shape[1] + len(sized))
         steps = (whole.fit(every, range(len(whole.n))) / whole.scale)[X.shape[1] :]

@@ -159,6 +159,8 @@ class Trajectories:
         Label of each row, of what the machine carries or where it stands; empty where the file has none.
     outside : (N,) array of bool
         Of predicted readings: which lie outside of where a law was found; empty of those that were read.
+    unshown : (N, n_q) array of bool
+        Of predicted readings: which samples ask of a joint what the recording of the model did not show.
     load : (N, n_q) array, optional
         Of predicted readings: what of it the rigid machine asks of each joint; blank where nothing is predicted.
     half : (N, n_q) array, optional
@@ -188,6 +190,7 @@ class Trajectories:
     constants: tuple[float, ...] | None = None
     setups: tuple[str, ...] = ()
     outside: np.ndarray = field(default_factory=lambda: np.zeros(0, dtype=bool))
+    unshown: np.ndarray = field(default_factory=lambda: np.zeros((0, 0), dtype=bool))
     load: Array | None = None
     half: Array | None = None
     moved: Motion | None = None

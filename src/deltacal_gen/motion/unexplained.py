@@ -12,7 +12,7 @@ from scipy.stats import chi2
 from deltacal_gen.motion.fit import Fit
 from deltacal_gen.motion.ladder import PER_COEFFICIENT
 from deltacal_gen.motion.library import LOAD, hats
-from deltacal_gen.motion.regression import GAP, Bench
+from deltacal_gen.motion.regression import GAP
 from deltacal_gen.physics.terms import remembers
 from deltacal_gen.states import named
 
@@ -157,7 +157,7 @@ def dependences(fit: Fit) -> list[Dependence]:
     """
     joint, smooth = fit.joint, channels(fit)
     own = joint.columns(fit.rungs, fit.load)
-    bench = Bench.of(np.hstack([own, *smooth.values()]), joint.y, joint.fold, joint.X.shape[1])
+    bench = joint.bench(np.hstack([own, *smooth.values()]))
     folds, every = bench.folds, range(own.shape[1])
     samples = float(sum(bench.n[list(folds)]))
     before, left = bench.held_out(every, folds), bench.train(every, folds)

@@ -107,6 +107,8 @@ class JointUncertainty(Value):
     """By which single readings of runs that took no part depart beside it, noise and what the model leaves out."""
     degrees: float
     """Of freedom, on which this rests: samples that hang together count as one."""
+    shown: float | None = None
+    """Standard deviation of what coefficients predict, the largest of all samples of the fit."""
     delay_std: float | None = None
     """Of `delay` [s]."""
 
@@ -290,7 +292,9 @@ class MotionResult(MotionModel):
     @property
     def headline(self) -> str:
         """What the rigid machine leaves."""
-        left = f"{self.model}: {self.rank} base parameters; held-out rms {by_joint(self.final)}"
+        told = len(self.base)
+        known = f"{told}" if self.rank == told else f"{self.rank} of {told}"
+        left = f"{self.model}: {known} base parameters; held-out rms {by_joint(self.final)}"
         said = [*([self.friction] if self.friction else []), *(f"warning: {words}" for words in self.doubts or ())]
         return "; ".join([left, *said])
 
@@ -401,6 +405,8 @@ class MotionValidation(Answer):
     """What was put right in the recording, or left out of it, with its line."""
     outside_law: int | None = None
     """Samples outside of the range in which a law was found; null where there is none."""
+    unshown_by_joint: tuple[int, ...] = ()
+    """Samples that ask of a joint what the recording of the model did not show."""
     made: Made | None = None
 
     @property
@@ -408,6 +414,17 @@ class MotionValidation(Answer):
         """The error, joint by joint."""
         each = zip(self.rms_by_joint, self.unit_by_joint, strict=True)
         return f"{self.readings} readings in motion: rms {by_limb(each)}"
+
+
+def not_shown(samples: Sequence[int]) -> str | None:
+    """Return in words of which joints a recording asks what that of a model did not show; None where of none."""
+    each = [f"joint {j} in {n} samples" for j, n in enumerate(samples, start=1) if n]
+    if not each:
+        return None
+    return (
+        f"{', '.join(each)}: this movement asks for what the model's recording did not show, and what is foretold is "
+        "far less sure there than a reading; in that recording all joints must move at once"
+    )
 
 
 def put_right(repairs: Sequence[str]) -> list[str]:

@@ -106,12 +106,14 @@ def print_json(answer: Answer | Sequence[Answer]) -> None:
 
 def show_any(found: Any, shown: Callable[[Any], None]) -> None:
     """Print an answer: by its own function, or as text where it is one in motion."""
-    from deltacal_gen.results.motion import MotionModel, MotionValidation, put_right
+    from deltacal_gen.results.motion import MotionModel, MotionValidation, not_shown, put_right
 
     if isinstance(found, MotionModel | MotionValidation):
         screen.print(escaped(str(found)))
         if isinstance(found, MotionValidation) and found.outside_law:
             screen.print(f"{found.outside_law} samples lie outside the range in which the law was found")
+        if isinstance(found, MotionValidation) and (words := not_shown(found.unshown_by_joint)):
+            screen.print(words)
         for words in put_right(found.motion.repairs if isinstance(found, MotionModel) else found.repairs):
             screen.print(escaped(words))
     else:

@@ -31,7 +31,14 @@ from deltacal_gen.motion.kinds import columns_of
 from deltacal_gen.physics.ranges import in_words
 from deltacal_gen.results.certificate import Certificate, Party
 from deltacal_gen.results.diagnosis import Diagnosis
-from deltacal_gen.results.motion import MotionDiagnosis, MotionModel, MotionResult, MotionValidation, put_right
+from deltacal_gen.results.motion import (
+    MotionDiagnosis,
+    MotionModel,
+    MotionResult,
+    MotionValidation,
+    not_shown,
+    put_right,
+)
 from deltacal_gen.results.parts import InputFile, Made
 from deltacal_gen.results.reader import Given
 from deltacal_gen.results.result import Result
@@ -265,7 +272,8 @@ def predict(
     if isinstance(known, MotionModel):
         refuse_in_motion(place=place)
         found = _moving(recording).predict(known, bands=bands)
-        for words in (*put_right(found.repairs), in_words(found.outside, "samples")):
+        beyond = in_words(found.outside, "samples"), not_shown(found.unshown.sum(axis=0).tolist())
+        for words in (*put_right(found.repairs), *beyond):
             if words is not None:
                 tell(words)
         if output is not None:
