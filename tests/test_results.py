@@ -94,6 +94,8 @@ BARE = {  # numbers without a unit: counts, parts of a whole, figures of statist
         "factor",
         "degrees",
         "scatter",
+        "shown",
+        "unshown_by_joint",
         "left_out",
         "chi2_by_pose",
         "further",

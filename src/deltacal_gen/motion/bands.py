@@ -49,7 +49,7 @@ def uncertainty_of(fit: Fit) -> JointUncertainty:
 def _apart(fit: Fit) -> Array:
     """Return by how much (variance, (M,)) each sample is unknown to fits to the other folds."""
     joint, X = fit.joint, _slopes(fit)
-    bench, each = joint.bench(X), range(X.shape[1])
+    bench, each = joint.bench(X).with_prior(fit.prior), range(X.shape[1])
     out = np.zeros(len(X))
     for fold in bench.folds:
         own = joint.held == fold

@@ -12,7 +12,7 @@ import numpy as np
 from deltacal_gen.motion.joint import USUAL, Joint
 from deltacal_gen.motion.ladder import BEGUN_WITH, BUYS, Ladder, LookedAt, columns_of
 from deltacal_gen.motion.library import LOAD, Rung, hats, resolution
-from deltacal_gen.motion.regression import BETWEEN, presumed
+from deltacal_gen.motion.regression import BETWEEN, prior_of
 from deltacal_gen.motion.sizes import settled
 
 if TYPE_CHECKING:
@@ -130,9 +130,9 @@ class Fit:
         )
 
     @property
-    def least(self) -> float:
-        """What is known of the rigid machine beforehand, as a ridge; see `presumed`."""
-        return max(self.joint.series.least, presumed(self.left, self.together, self.joint.y + self.joint.carried))
+    def prior(self) -> float:
+        """What is known of the rigid machine beforehand, as a ridge; see `prior_of`."""
+        return prior_of(self.left, self.together, self.joint.y + self.joint.carried)
 
     @property
     def sigma(self) -> float:
@@ -153,7 +153,7 @@ def fitted(joint: Joint, some: Sequence[Rung], held_out: Array | None = None) ->
     every, each = range(X.shape[1]), range(X.shape[1] + by_size.shape[1])
     bench = bench.with_ridge(every)
     left = bench.left(X, joint.y, every, range(len(bench.n)))
-    bench = bench.believing(presumed(left, joint.correlated(left), joint.y + joint.carried))
+    bench = bench.with_prior(prior_of(left, joint.correlated(left), joint.y + joint.carried))
     found = bench.fit(every, range(len(bench.n))) / bench.scale[every]
     left = joint.y - X @ found
     count = joint.correlated(left)

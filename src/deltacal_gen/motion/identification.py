@@ -171,7 +171,7 @@ def _singular(rigid: Rigid, fits: Sequence[Fit]) -> Array:
 def _singular_of(fit: Fit) -> Array:
     """Return the singular values of one joint's columns, over what is known beforehand."""
     X = fit.beside_effects(fit.joint.X)
-    return np.asarray(np.linalg.svd(X / (fit.joint.usual * np.sqrt(fit.least * len(X))), compute_uv=False))
+    return np.asarray(np.linalg.svd(X / (fit.joint.usual * np.sqrt(fit.prior * len(X))), compute_uv=False))
 
 
 def _normal(rigid: Rigid, fits: Sequence[Fit]) -> tuple[Array, Array, Array]:
@@ -190,7 +190,7 @@ def _normal(rigid: Rigid, fits: Sequence[Fit]) -> tuple[Array, Array, Array]:
         G += weight * X.T @ X
         g += weight * X.T @ y
         usual = fit.joint.usual**2 @ own.made_up[:, rigid.common.chosen] ** 2
-        known += weight * len(X) * fit.least * usual
+        known += weight * len(X) * fit.prior * usual
     return G, g, np.maximum(known, 1e-300)
 
 

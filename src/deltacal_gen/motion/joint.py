@@ -12,7 +12,7 @@ import numpy as np
 
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.library import LOAD, Rung, of_joint, rungs
-from deltacal_gen.motion.regression import BETWEEN, RIDGES, Bench, folds_of, presumed, together
+from deltacal_gen.motion.regression import BETWEEN, Bench, folds_of, together
 from deltacal_gen.motion.rigid import Asked
 from deltacal_gen.motion.trajectories import Motion, Readout, Trajectories
 from deltacal_gen.physics.splines import Samples, smooth
@@ -88,7 +88,7 @@ class Joint:
 
     def bench(self, columns: Array) -> Bench:
         """Return the normal equations of columns (M, r + c), the rigid machine's first."""
-        return Bench.of(columns, self.y, self.fold, self.usual, self.series.least)
+        return Bench.of(columns, self.y, self.fold, self.usual)
 
     @property
     def unit(self) -> str:
@@ -211,17 +211,6 @@ class Series:
         if rung not in self.memories:
             self.memories[rung] = rung.remembered(self.states, self.time, self.piece)
         return self.memories[rung]
-
-    @cached_property
-    def least(self) -> float:
-        """What is known of the rigid machine beforehand, as a ridge; see `presumed`."""
-        joint = self.at()
-        if not joint.moves:
-            return RIDGES[0]
-        X = joint.columns([Rung(name) for name in USUAL], joint.carried)
-        bench = Bench.of(X, joint.y, joint.fold, self.usual)
-        left = bench.left(X, joint.y, range(X.shape[1]), range(len(bench.n)))
-        return presumed(left, joint.correlated(left), joint.y + joint.carried)
 
     def at(self, delay: float = 0.0) -> Joint:
         """Return the samples in motion, readings belonging to joints `delay` [s] earlier."""

@@ -89,7 +89,7 @@ def together(residual: Array, piece: np.ndarray, used: np.ndarray, step: float) 
     return float(1.0 + 2 * rho[1:last].sum())
 
 
-def presumed(left: Array, together: float, given: Array) -> float:
+def prior_of(left: Array, together: float, given: Array) -> float:
     """Return the ridge, per sample, that says what is known of a machine beforehand.
 
     In a movement of all joints no parameter asks for more than `BELIEVED` times what the joint gave, `given` (M,). It
@@ -114,8 +114,8 @@ class Bench:
         By which columns were divided.
     rigid : int
         How many columns, the first ones, are the rigid machine's.
-    least : float
-        What is known of these beforehand, in the same measure; see `presumed`.
+    prior : float
+        What is known of these beforehand, in the same measure; see `prior_of`.
     ridge : float
         What is added to their normal equations, per sample, where it is more than that.
     """
@@ -126,11 +126,11 @@ class Bench:
     n: Array
     scale: Array
     rigid: int
-    least: float = RIDGES[0]
+    prior: float = RIDGES[0]
     ridge: float = RIDGES[0]
 
     @classmethod
-    def of(cls, X: Array, y: Array, fold: np.ndarray, usual: Array, least: float = RIDGES[0]) -> Bench:
+    def of(cls, X: Array, y: Array, fold: np.ndarray, usual: Array) -> Bench:
         """Return the normal equations of columns X (N, p) and readings y (N,) of folds (N,).
 
         The first columns (r) are the rigid machine's, `usual` (r,) their size in a movement of all joints.
@@ -148,7 +148,6 @@ class Bench:
             np.array([float(p.sum()) for p in parts]),
             scale,
             len(usual),
-            least,
         )
 
     def with_columns(self, at: Sequence[int], X: Array, y: Array, fold: np.ndarray) -> Bench:
@@ -161,9 +160,9 @@ class Bench:
         G[:, at], G[:, :, at], g[:, at] = rows, rows.transpose(0, 2, 1), (y @ of_fold).reshape(count, -1)
         return replace(self, G=G, g=g)
 
-    def believing(self, least: float) -> Bench:
-        """Return the equations with what is known of the rigid machine beforehand, if that is more; see `presumed`."""
-        return replace(self, least=max(self.least, least))
+    def with_prior(self, prior: float) -> Bench:
+        """Return the equations with what is known of the rigid machine beforehand, if that is more; see `prior_of`."""
+        return replace(self, prior=max(self.prior, prior))
 
     @property
     def folds(self) -> tuple[int, ...]:
@@ -184,7 +183,7 @@ class Bench:
 
     def _held(self, columns: np.ndarray, ridge: float | Array) -> Array:
         """Return what is added for columns (p,), per sample, with a ridge of the rigid machine's, or several (R, 1)."""
-        return np.where(columns < self.rigid, np.maximum(ridge, self.least), RIDGES[0])
+        return np.where(columns < self.rigid, np.maximum(ridge, self.prior), RIDGES[0])
 
     def left(self, X: Array, y: Array, columns: Sequence[int], folds: Sequence[int]) -> Array:
         """Return what a fit of columns to some folds leaves of samples (M,), X (M, p) unscaled."""
