@@ -18,6 +18,7 @@ from deltacal_gen.errors import InputError
 from deltacal_gen.files.rows import Rows, number_of, read_table
 from deltacal_gen.files.sidecar import Clocks, Noise
 from deltacal_gen.files.toml import Number, Table, TomlFile
+from deltacal_gen.motion.logged import logged
 from deltacal_gen.physics.splines import ordinary_step, pieces_of
 from deltacal_gen.results.reader import KINDS_IN_MOTION
 from deltacal_gen.states import ACCELERATIONS, PAYLOAD, SPEEDS, STATES, TIME
@@ -29,6 +30,8 @@ if TYPE_CHECKING:
 READ = re.compile(r"(tau|current|drive)\d+(_[A-Za-z]+)?")  # columns of what drives give
 SPIKE = 50.0  # times what neighbouring samples ordinarily differ by: no drive and no joint does that
 LONGEST_SPIKE = 3  # samples
+ORDINARY = 0.99, 0.98, 0.95, 0.9  # of the samples: what these differ by is ordinary
+BETWEEN = 5.0  # times what others are off: of more than the first of these parts, what is out of proportion
 TURNS_ON = 5.0  # times what a joint ordinarily moves from sample to sample: so much it may beside a whole turn
 MOVES = 1e-2  # rad: what it may at least
 INSIDE = {"Nm": 1000.0, "N": 1.0, "A": 1.0, "1": 1.0}  # of a unit in files: N mm, N, A, 1
@@ -267,32 +270,28 @@ def trajectories(rows: Rows, machine: Machine, sidecar: Sidecar, *, need_measure
     kept, repairs = _increasing(rows, time, run, run_names)
     repaired = set(rows.line[~kept].tolist())
     rows = _subset(rows, kept)
-    time, run = time[kept], run[kept]
     unit, limbs = machine.joint_unit, machine.limbs
-    factors = np.array(joint_factors(unit, limbs))
-    names = joint_names(unit, limbs)
-    joints = rows.numbers(*names, blank=False) * factors
+    factors, names = np.array(joint_factors(unit, limbs)), joint_names(unit, limbs)
     columns, units = _read_columns(rows, machine, need_measured)
+    joints = rows.numbers(*names, blank=False)
     readings = _numbers(rows, columns)
+    time, run = time[kept], run[kept]
+    if need_measured:
+        kept, said = logged(rows, pieces_of(time, run), joints, readings, columns)
+        repairs += said
+        repaired |= set(rows.line[~kept].tolist())
+        rows = _subset(rows, kept)
+        time, run, joints, readings = (values[kept] for values in (time, run, joints, readings))
+    joints = joints * factors
     piece = pieces_of(time, run)
-    by = (*factors, *np.ones(limbs))
-    for name, values, unit_of in zip(names, joints.T, of_joints(unit, limbs), strict=True):
-        if unit_of == "rad" and len(wraps := _counted_on(values, piece)):
-            repairs.append(
-                f"{rows.path}:{rows.line[wraps[0]]}: {name} jumps by a whole turn, here and {len(wraps) - 1} times "
-                "more; angles are counted on"
-            )
-    for name, values, unit_in in zip((*names, *columns), (*joints.T, *readings.T), by, strict=True):
-        spikes = _spikes_out(values, piece, filled=name in names)
-        repaired |= set(rows.line[list(spikes)].tolist())
-        repairs += [
-            f"{rows.path}:{rows.line[k]}: {name} reads {value / unit_in:g}, out of all proportion; it is left out"
-            for k, value in spikes.items()
-        ]
+    by_joint, by_drive = (dict(zip(*pair, strict=True)) for pair in ((names, joints.T), (columns, readings.T)))
+    said, lines = _put_right(rows, piece, by_joint, by_drive, factors, unit)
+    repairs += said
+    repaired |= lines
     recorded = np.array(
         [_numbers(rows, joint_names(unit, limbs, pattern)) * factors for pattern in (SPEEDS, ACCELERATIONS)]
     )
-    own = {*names, *columns, TIME, "run", "pose", "setup"}
+    others = {*rows.columns} - {*names, *columns, TIME, "run", "pose", "setup"}
     found = Trajectories(
         path=rows.path,
         joint_unit=unit,
@@ -306,7 +305,7 @@ def trajectories(rows: Rows, machine: Machine, sidecar: Sidecar, *, need_measure
         columns=columns,
         units=units,
         recorded=recorded,
-        channels={name: _channel(rows, name) for name in rows.columns if name not in own and _is_channel(rows, name)},
+        channels={name: _channel(rows, name) for name in rows.columns if name in others and _is_channel(rows, name)},
         said=sidecar,
         setups=tuple(rows.labels("setup", blank=False) or ()),
         repairs=tuple(repairs),
@@ -314,6 +313,28 @@ def trajectories(rows: Rows, machine: Machine, sidecar: Sidecar, *, need_measure
     )
     _check_derivatives(rows, found, machine)
     return found
+
+
+def _put_right(
+    rows: Rows, piece: np.ndarray, joints: dict[str, Array], readings: dict[str, Array], factors: Array, unit: str
+) -> tuple[list[str], set[int]]:
+    """Put joints and readings right, columns (N,) by their name; return what is said of it, and the lines."""
+    repairs, lines = list[str](), set[int]()
+    for (name, values), unit_of in zip(joints.items(), of_joints(unit, len(joints)), strict=True):
+        if unit_of == "rad" and len(wraps := _counted_on(values, piece)):
+            repairs.append(
+                f"{rows.path}:{rows.line[wraps[0]]}: {name} jumps by a whole turn, here and {len(wraps) - 1} times "
+                "more; angles are counted on"
+            )
+    by = (*factors, *np.ones(len(readings)))
+    for (name, values), unit_in in zip((joints | readings).items(), by, strict=True):
+        spikes = _spikes_out(values, piece, filled=name in joints)
+        lines |= set(rows.line[list(spikes)].tolist())
+        repairs += [
+            f"{rows.path}:{rows.line[k]}: {name} reads {value / unit_in:g}, out of all proportion; it is left out"
+            for k, value in spikes.items()
+        ]
+    return repairs, lines
 
 
 def _subset(rows: Rows, kept: np.ndarray) -> Rows:
@@ -445,9 +466,7 @@ def _spikes_out(values: Array, piece: np.ndarray, *, filled: bool) -> dict[int, 
     off = np.concatenate([_off(values[own]) for own in np.split(known, np.flatnonzero(np.diff(piece[known])) + 1)])
     steps = np.abs(np.diff(values[known]))
     count = float(np.min(steps[steps > 0], initial=np.inf))  # of a coarse reading: one count more is in proportion
-    ordinary = max(float(np.quantile(off, 0.99)), 1e-12 + 1e-3 * float(np.quantile(np.abs(values[known]), 0.99)))
-    ordinary = max(ordinary, count) if np.isfinite(count) else ordinary
-    spikes = known[off > SPIKE * ordinary]
+    spikes = known[_out_of_proportion(off, np.abs(values[known]), count if np.isfinite(count) else 0.0)]
     said = {int(k): float(values[k]) for k in spikes}
     if said:
         values[spikes] = np.nan
@@ -456,6 +475,20 @@ def _spikes_out(values: Array, piece: np.ndarray, *, filled: bool) -> dict[int, 
                 beside = np.flatnonzero(np.isfinite(values) & (piece == piece[k]))
                 values[k] = np.interp(k, beside, values[beside])
     return said
+
+
+def _out_of_proportion(off: Array, size: Array, count: float) -> np.ndarray:
+    """Tell which samples (M,) are `off` by what no other is, beside their size (M,) and the least step of a column.
+
+    One in a hundred may be, or more where nothing lies between these and all others.
+    """
+    for ordinary in ORDINARY:
+        limit = float(np.quantile(off, ordinary))
+        limit = max(limit, 1e-12 + 1e-3 * float(np.quantile(size[off <= limit], ordinary)), count)
+        out = np.asarray(off > SPIKE * limit)
+        if out.any() and (ordinary == ORDINARY[0] or off[out].min() > BETWEEN * off[~out].max()):
+            return out
+    return np.zeros(len(off), dtype=bool)
 
 
 def _off(values: Array) -> Array:
