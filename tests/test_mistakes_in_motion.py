@@ -16,7 +16,7 @@ from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.motion import mistakes
 from deltacal_gen.motion.session import Session
 from deltacal_gen.motion.trajectories import read, read_sidecar
-from tests.motion_recordings import carried, usual, written
+from tests.motion_recordings import carried, usual, waves, written
 
 Change = Callable[[dict[str, Any]], Any]
 
@@ -111,6 +111,41 @@ def test_where_it_states_none_they_would_carry_more_than_steel(free: Path, tmp_p
     assert any("more than steel of such a size weighs: tau2_Nm may be in mNm" in doubt for doubt in doubts)
     assert "But joint 2 would carry" in dc.diagnose(tmp_path / "robot.toml", path)["summary"]
     assert dc.identify(free.parent / "robot.toml", free).doubts is None
+
+
+def in_radians(table: dict[str, Any]) -> None:
+    table |= {name: np.radians(table[name]) for name in ("q1_deg", "q2_deg", "q3_deg")}
+
+
+def test_joints_in_radians_are_said(free: Path, tmp_path: Path) -> None:
+    with pytest.raises(InputError, match=r"joints count in radians, by what drives give: .*Multiply .* by 57.29578"):
+        mistakes.check(session_of(changed(free, tmp_path, in_radians)))
+
+
+@pytest.mark.parametrize("metres", [True, False])
+def test_a_slide_in_metres_is_said_and_one_that_moves_little_is_not(tmp_path: Path, metres: bool) -> None:
+    (tmp_path / "robot.toml").write_text(
+        '[robot]\nname = "slide"\nmechanism = "serial"\n[[joint]]\nkind = "prismatic"\nconvention = "standard"\n'
+        "a = 0.0\nalpha = 0.0\nd = 0.0\ntheta = 0.0\n"
+    )
+    t = np.arange(0, 20, 0.005)
+    q, qd, qdd = 200.0 * waves(t, 0, 1)[:, :, 0]  # mm
+    size = 1e-3 if metres else 1.0
+    force = 5.0 * (9.81 + qdd / 1000) + 3.0 * np.sign(qd) + 0.1 * np.random.default_rng(0).standard_normal(len(t))
+    path = tmp_path / "recording.csv"
+    np.savetxt(path, np.column_stack([t, size * q, force]), "%.8f", ",", header="time_s,q1_mm,tau1_N", comments="")
+    path.with_suffix(".toml").write_text('[measurement]\nkind = "torque"\n')
+    if metres:
+        with pytest.raises(InputError, match="joints count in metres"):
+            mistakes.check(session_of(path))
+    else:
+        mistakes.check(session_of(path))
+
+
+def test_readings_that_lost_their_sign_are_a_doubt(free: Path, tmp_path: Path) -> None:
+    path = changed(free, tmp_path, lambda table: table.update(tau1_Nm=np.abs(table["tau1_Nm"])))
+    doubts = dc.identify(tmp_path / "robot.toml", path)["doubts"]
+    assert any(doubt.startswith("readings of joint 1 come down to zero and are never below") for doubt in doubts)
 
 
 def still(table: dict[str, Any]) -> None:

@@ -17,7 +17,7 @@ from deltacal_gen.motion.identification import RIGID, bodies_told, still_to_show
 from deltacal_gen.motion.ladder import BUYS, LookedAt
 from deltacal_gen.motion.lag import LATENCY
 from deltacal_gen.motion.laws import Lawful, lawful
-from deltacal_gen.motion.mistakes import check, too_heavy
+from deltacal_gen.motion.mistakes import check, sizes_alone, too_heavy
 from deltacal_gen.motion.payload import NAMES, PAYLOAD, PayloadError
 from deltacal_gen.motion.session import Session, still_to_move, untold
 from deltacal_gen.motion.told import told
@@ -396,7 +396,7 @@ def _summary(
         parts.append(f"Joint {still} moves too little to say anything.")
     if silent:
         parts.append(f"The reading of joint {silent} never changes: of what its drive gives nothing can be said.")
-    parts += [f"But {doubt}." for doubt in too_heavy(session, fits)]
+    parts += [f"But {doubt}." for doubt in (*too_heavy(session, fits), *sizes_alone(fits))]
     return " ".join(p for p in parts if p)
 
 

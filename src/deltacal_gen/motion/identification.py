@@ -14,7 +14,7 @@ from deltacal_gen.motion.fit import Fit, fitted
 from deltacal_gen.motion.joint import USUAL
 from deltacal_gen.motion.ladder import BUYS
 from deltacal_gen.motion.library import Rung
-from deltacal_gen.motion.mistakes import check, too_heavy
+from deltacal_gen.motion.mistakes import check, sizes_alone, too_heavy
 from deltacal_gen.motion.regression import BELIEVED
 from deltacal_gen.motion.rigid import Rigid
 from deltacal_gen.motion.session import Session, still_to_move
@@ -66,7 +66,7 @@ def identify(robot: Robot, given: Trajectories, model: str | None = None) -> Mot
         sigma_source=noise.source,
         chi2_per_dof=final.chi2_per_dof,
         friction=_of_friction(session, fits),
-        doubts=(*_doubts(fits), *too_heavy(session, fits)) or None,
+        doubts=(*_doubts(fits), *too_heavy(session, fits), *sizes_alone(fits)) or None,
     )
 
 

@@ -1,4 +1,4 @@
-"""Mistakes of a recording in motion that its own samples show: columns of two drives exchanged, another unit."""
+"""Mistakes of a recording in motion that its own samples show: columns exchanged, another unit, a sign that is lost."""
 
 from __future__ import annotations
 
@@ -19,10 +19,17 @@ from deltacal_gen.motion.joint import FEW, USUAL, Joint
 from deltacal_gen.motion.library import Rung
 from deltacal_gen.motion.regression import Bench
 from deltacal_gen.motion.session import Session
+from deltacal_gen.units import DEG, of_joints
 
 LOOKED_AT = 2000  # samples of two joints on which mistakes are tried
 NEARER = 0.5  # of what is left held out: what an exchange must leave of every reading that it moves, at most
 STEEL = 7.85e-6  # kg/mm^3, of a cube half as wide as the machine is long
+NO_FARTHER = 1.1  # times what is left: what another unit of joints may leave of any drive
+SMALL = 7.0  # deg or mm, of all joints: as radians a turn, as metres the largest machines
+SI = {"rad": (DEG, 1 / DEG, "radians"), "mm": (1.0, 1000.0, "metres")}  # by joint unit: one in files, how many in SI
+REMEDY = {"radians": "those in radians by 57.29578 for _deg", "metres": "those in metres by 1000 for _mm"}
+DOWN = 0.02  # of a reading's rms: so near to zero it comes
+BOTH_WAYS = 0.1  # of the samples in motion, at least, in either direction
 PREFIXES = {1e3: "m", 1e-3: "k", 1e6: "u"}  # of a unit in which readings are so many times as large
 ROUGH = 3.0  # times that a body may be heavier or lighter than its file says, and its drive still be the one
 KNOWN = 10.0  # standard deviations that a factor must have
@@ -36,7 +43,7 @@ def check(session: Session) -> None:
 
     Effects found in such a recording, and bodies, would be none of the machine's.
     """
-    for text, remedy in (*_exchanged(session), *_other_units(session)):
+    for text, remedy in itertools.chain(_of_joints(session), _exchanged(session), _other_units(session)):
         raise InputError(text, remedy, file=session.given.path)
 
 
@@ -51,6 +58,55 @@ def too_heavy(session: Session, fits: Sequence[Fit]) -> Iterator[str]:
                 f"joint {fit.joint.number} would carry {carried:.3g} kg at the end of its links, more than steel of "
                 f"such a size weighs: {column} may be in m{unit}"
             )
+
+
+def sizes_alone(fits: Sequence[Fit]) -> Iterator[str]:
+    """Yield which drives come down to zero and never read below it, though their joints move both ways."""
+    numbers = []
+    for fit in fits:
+        y, ahead = fit.joint.series.y[fit.joint.rows], float(np.mean(fit.joint.states["qd"] > 0))
+        if 0 <= y.min() < DOWN * np.sqrt(np.mean(y**2)) and BOTH_WAYS < ahead < 1.0 - BOTH_WAYS:
+            numbers.append(str(fit.joint.number))
+    if numbers:
+        yield (
+            f"readings of joint {', '.join(numbers)} come down to zero and are never below, though it moves both ways: "
+            "their size may have been recorded without their sign"
+        )
+
+
+def _of_joints(session: Session) -> Iterator[tuple[str, str]]:
+    """Yield whether joints count in radians or metres: numbers so small, and drives that larger ones foretell."""
+    given = session.given
+    factors, names = np.ones(len(session.joints)), list[str]()
+    for unit, (inside, factor, said) in SI.items():
+        own = [k for k, of in enumerate(of_joints(given.joint_unit, len(factors))) if of == unit]
+        if own and float(np.max(np.abs(given.joints[:, own]))) < SMALL * inside:
+            factors[own] = factor
+            names.append(said)
+    if not names:
+        return
+    larger = Session.of(
+        session.robot,
+        dataclasses.replace(given, joints=given.joints * factors, recorded=given.recorded * factors, moved=None),
+    )
+    now, then = (
+        {joint.number: _left_of_usual(joint) for joint in each.joints if joint.moves and not joint.silent}
+        for each in (session, larger)
+    )
+    ratios = [then[k] / now[k] for k in now if k in then and now[k] > 0]
+    if ratios and min(ratios) < NEARER and max(ratios) < NO_FARTHER:
+        yield (
+            f"joints count in {' and '.join(names)}, by what drives give: so read they foretell samples that took no "
+            f"part up to {1 / min(ratios):.3g} times as well, and none worse.",
+            f"Multiply the columns: {', '.join(REMEDY[name] for name in names)}.",
+        )
+
+
+def _left_of_usual(joint: Joint) -> float:
+    """Return what is left of a joint's held-out samples by the rigid machine and usual friction, rms."""
+    X = joint.columns([Rung(name) for name in USUAL], joint.carried)
+    bench = joint.bench(X)
+    return math.sqrt(bench.held_out(range(X.shape[1]), bench.folds)) if len(bench.folds) > 1 else math.inf
 
 
 def _exchanged(session: Session) -> Iterator[tuple[str, str]]:
