@@ -20,7 +20,7 @@ from deltacal_gen.motion import fit as fits_of_joints
 from deltacal_gen.motion import identification, joint, regression, unexplained
 from deltacal_gen.motion.diagnosis import _for_all_that
 from deltacal_gen.motion.fit import Fit, climbed, fitted
-from deltacal_gen.motion.ladder import Ladder
+from deltacal_gen.motion.ladder import Ladder, LookedAt
 from deltacal_gen.motion.lag import with_lag
 from deltacal_gen.motion.library import Rung
 from deltacal_gen.motion.rigid import Rigid
@@ -238,7 +238,15 @@ def test_what_buys_by_a_wrong_sign_is_said_to(session: Session) -> None:
     dry = next(each for each in found.passed_over if each.effect == "coulomb_friction")
     assert dry.impossible
     much = dataclasses.replace(dry, buys=0.03, gain=75.0)
-    assert _for_all_that(found, much) == ", but by a coefficient of the wrong sign, which no drive has"
+    assert _for_all_that(much) == ", but by a coefficient of the wrong sign, which no drive has"
+
+
+@pytest.mark.parametrize(("effect", "words"), [("presliding_friction", "but what"), ("torque_ripple", "but a smooth")])
+def test_what_earns_its_price_and_is_not_named_has_a_reason_beside_other_rungs(effect: str, words: str) -> None:
+    """Drives of a short recording keep usual friction where folds choose more that does not hold."""
+    said = _for_all_that(LookedAt(effect, gain=72.0, width=1, tried=20, buys=0.37))
+    assert words in said
+    assert "does not foretell the others" in said
 
 
 def fit_of(session: Session) -> Fit:

@@ -14,7 +14,7 @@ from deltacal_gen.motion.bodies import Found, beside, searched
 from deltacal_gen.motion.common import in_common
 from deltacal_gen.motion.fit import Fit, fitted
 from deltacal_gen.motion.identification import RIGID, bodies_told, still_to_show
-from deltacal_gen.motion.ladder import BUYS, LookedAt
+from deltacal_gen.motion.ladder import BUYS, SEVERAL, LookedAt
 from deltacal_gen.motion.lag import LATENCY
 from deltacal_gen.motion.laws import Lawful, lawful
 from deltacal_gen.motion.mistakes import check, sizes_alone, too_heavy
@@ -255,7 +255,7 @@ def _rejected(session: Session, effects: Sequence[TorqueEffect], fits: Sequence[
                 name=name,
                 gain_chi2=float(max(k.gain for _, k in where)),
                 why=f"it takes {100 * max(most.buys, 0.0):.2g} % of the held-out rms away where it takes most, on "
-                f"joint {fit.joint.number}, beside what is named{_for_all_that(fit, most)}",
+                f"joint {fit.joint.number}, beside what is named{_for_all_that(most)}",
                 **(session.in_unit("heldout_rms", float(np.sqrt(square))) if one else {}),
                 heldout_rms_by_joint=by_joint,
             )
@@ -263,7 +263,7 @@ def _rejected(session: Session, effects: Sequence[TorqueEffect], fits: Sequence[
     return tuple(sorted(found, key=lambda r: -r.gain_chi2))
 
 
-def _for_all_that(fit: Fit, looked: LookedAt) -> str:
+def _for_all_that(looked: LookedAt) -> str:
     """Return why an effect that takes enough of the held-out rms away is not named for all that."""
     if looked.buys < BUYS:
         return ""
@@ -271,9 +271,10 @@ def _for_all_that(fit: Fit, looked: LookedAt) -> str:
         return f": it earns {looked.gain:.3g} of chi2, and its search costs {looked.price:.3g}"
     if looked.impossible:
         return ", but by a coefficient of the wrong sign, which no drive has"
-    if not fit.rungs:
-        return ": but what some stretches would choose does not foretell the others; a longer recording may tell"
-    return ""
+    smooth = (
+        "a smooth function of the position does as much, or " if SEVERAL in load_effect(looked.effect).SEARCHED else ""
+    )
+    return f": but {smooth}what some stretches would choose does not foretell the others; a longer recording may tell"
 
 
 def _parameters(session: Session, fit: Fit, n: int) -> list[EffectParameter]:
