@@ -64,6 +64,7 @@ from deltacal_gen.identification import checks
 from deltacal_gen.identification.drawing import ANOTHERS, as_read, doubts, strained
 from deltacal_gen.identification.folds import folds
 from deltacal_gen.identification.noise import lack_of_fit, merely_more, stated
+from deltacal_gen.identification.overflow import without_overflow
 from deltacal_gen.identification.prior import learned
 from deltacal_gen.identification.together import as_predicts, better_alone, deviance_of, together
 from deltacal_gen.machine.backend import by_recording
@@ -259,9 +260,10 @@ def drawn_beside(robot: Robot, recording: Recording, model: str | None) -> Drawn
     problem, name, lean = _geometry(robot, recording, model)
     some = problem.some(MOST_POSES, np.random.default_rng(SEED))
     first = _first(some, recording)
-    if (rest := checks.without_knocked(problem, first)) is not None:
-        problem, some = rest, rest.some(MOST_POSES, np.random.default_rng(SEED))
-        first = _first(some, recording)
+    for without in (without_overflow, checks.without_knocked):
+        if (rest := without(problem, first)) is not None:
+            problem, some = rest, rest.some(MOST_POSES, np.random.default_rng(SEED))
+            first = _first(some, recording)
     return Drawn(robot, problem, name, lean, some, first)
 
 

@@ -404,8 +404,10 @@ def gross_lines(at: Fit) -> tuple[int, ...]:
 def _left_out(of: Problem) -> list[int]:
     if of.readings.made:
         return []
-    lines: list[int] = np.setdiff1d(readings(of.recording).line, of.readings.line).tolist()
-    return lines
+    whole, kept = (
+        set(zip(r.line.tolist(), r.setup.tolist(), strict=True)) for r in (readings(of.recording), of.readings)
+    )
+    return sorted({line for line, _ in whole - kept})  # of a line one encoder may be left out, and not the others
 
 
 def left_out(of: Problem) -> tuple[str, ...]:
@@ -414,8 +416,9 @@ def left_out(of: Problem) -> tuple[str, ...]:
         return ()
     named = ", ".join(map(str, lines[:FEW])) + (" ..." if len(lines) > FEW else "")
     return (
-        f"{len(lines)} readings are far beyond all others together and were left out (lines {named}): a reflector that "
-        "was knocked or lost for a while, or another one that was caught. Measure these poses again.",
+        f"{len(lines)} readings are far beyond all others together and were left out (lines {named}): an "
+        "overflow, a reflector that was knocked or lost for a while, or another one that was caught. Measure these "
+        "poses again.",
     )
 
 

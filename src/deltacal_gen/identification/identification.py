@@ -27,6 +27,7 @@ from deltacal_gen.identification.folds import FOLDS, folds
 from deltacal_gen.identification.identifiability import Combination
 from deltacal_gen.identification.knowledge import uncertainty_of
 from deltacal_gen.identification.noise import noise, with_tails
+from deltacal_gen.identification.overflow import without_overflow
 from deltacal_gen.identification.remedies import printed, remedies
 from deltacal_gen.identification.together import together
 from deltacal_gen.identification.uncertainty import uncertainty_map
@@ -200,11 +201,11 @@ def _begun(
 def _fine(problem: Problem, rule: Solver, first: Fit, robust: bool) -> Fit:
     """Return the fit of a model, of a machine far from the drawn one where that is the one that was read.
 
-    It is one of fewer readings where others are gross errors that are too many to be left to their weights.
+    It is one of fewer readings where others are gross errors, too many or too far to be left to their weights.
     """
     at = fit(problem, rule, errors=first.errors, machine=first.machine, instrument=first.instrument, robust=robust)
     at = (drawing.as_read(at, robust=robust) or at) if isinstance(rule, Prior) else at
-    rest = without_knocked(at.problem, at) if robust else None
+    rest = (without_overflow(at.problem, at) or without_knocked(at.problem, at)) if robust else None
     return at if rest is None else _fine(rest, rule, first, robust)
 
 

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Literal
 import numpy as np
 
 from deltacal_gen.errors import InputError
+from deltacal_gen.estimation.proportion import LONGEST_SPIKE, out_of_proportion
 from deltacal_gen.files.rows import Rows, number_of, read_table
 from deltacal_gen.files.sidecar import Clocks, Noise
 from deltacal_gen.files.toml import Number, Table, TomlFile
@@ -28,10 +29,6 @@ if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Array, Machine
 
 READ = re.compile(r"(tau|current|drive)\d+(_[A-Za-z]+)?")  # columns of what drives give
-SPIKE = 50.0  # times what neighbouring samples ordinarily differ by: no drive and no joint does that
-LONGEST_SPIKE = 3  # samples
-ORDINARY = 0.99, 0.98, 0.95, 0.9  # of the samples: what these differ by is ordinary
-BETWEEN = 5.0  # times what others are off: of more than the first of these parts, what is out of proportion
 TURNS_ON = 5.0  # times what a joint ordinarily moves from sample to sample: so much it may beside a whole turn
 MOVES = 1e-2  # rad: what it may at least
 INSIDE = {"Nm": 1000.0, "N": 1.0, "A": 1.0, "1": 1.0}  # of a unit in files: N mm, N, A, 1
@@ -466,7 +463,7 @@ def _spikes_out(values: Array, piece: np.ndarray, *, filled: bool) -> dict[int, 
     off = np.concatenate([_off(values[own]) for own in np.split(known, np.flatnonzero(np.diff(piece[known])) + 1)])
     steps = np.abs(np.diff(values[known]))
     count = float(np.min(steps[steps > 0], initial=np.inf))  # of a coarse reading: one count more is in proportion
-    spikes = known[_out_of_proportion(off, np.abs(values[known]), count if np.isfinite(count) else 0.0)]
+    spikes = known[out_of_proportion(off, np.abs(values[known]), count if np.isfinite(count) else 0.0)]
     said = {int(k): float(values[k]) for k in spikes}
     if said:
         values[spikes] = np.nan
@@ -475,20 +472,6 @@ def _spikes_out(values: Array, piece: np.ndarray, *, filled: bool) -> dict[int, 
                 beside = np.flatnonzero(np.isfinite(values) & (piece == piece[k]))
                 values[k] = np.interp(k, beside, values[beside])
     return said
-
-
-def _out_of_proportion(off: Array, size: Array, count: float) -> np.ndarray:
-    """Tell which samples (M,) are `off` by what no other is, beside their size (M,) and the least step of a column.
-
-    One in a hundred may be, or more where nothing lies between these and all others.
-    """
-    for ordinary in ORDINARY:
-        limit = float(np.quantile(off, ordinary))
-        limit = max(limit, 1e-12 + 1e-3 * float(np.quantile(size[off <= limit], ordinary)), count)
-        out = np.asarray(off > SPIKE * limit)
-        if out.any() and (ordinary == ORDINARY[0] or off[out].min() > BETWEEN * off[~out].max()):
-            return out
-    return np.zeros(len(off), dtype=bool)
 
 
 def _off(values: Array) -> Array:
