@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import deltacal_gen as dc
-from deltacal_gen.estimation.proportion import out_of_proportion
+from deltacal_gen.physics.proportion import out_of_proportion
 
 ROBOT = """[robot]
 name = "arm"

@@ -6,10 +6,10 @@ import numpy as np
 
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
-from deltacal_gen.estimation.proportion import LONGEST_SPIKE, out_of_proportion
 from deltacal_gen.estimation.residuals import lengths
 from deltacal_gen.estimation.series import sequence
 from deltacal_gen.files.robot import robot_size
+from deltacal_gen.physics.proportion import LONGEST_SPIKE, out_of_proportion
 
 
 def without_overflow(problem: Problem, first: Fit) -> Problem | None:

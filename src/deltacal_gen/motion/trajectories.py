@@ -15,11 +15,11 @@ from typing import TYPE_CHECKING, Any, ClassVar, Literal
 import numpy as np
 
 from deltacal_gen.errors import InputError
-from deltacal_gen.estimation.proportion import LONGEST_SPIKE, out_of_proportion
 from deltacal_gen.files.rows import Rows, number_of, read_table
 from deltacal_gen.files.sidecar import Clocks, Noise
 from deltacal_gen.files.toml import Number, Table, TomlFile
 from deltacal_gen.motion.logged import logged
+from deltacal_gen.physics.proportion import LONGEST_SPIKE, out_of_proportion
 from deltacal_gen.physics.splines import ordinary_step, pieces_of
 from deltacal_gen.results.reader import KINDS_IN_MOTION
 from deltacal_gen.states import ACCELERATIONS, PAYLOAD, SPEEDS, STATES, TIME
