@@ -20,6 +20,7 @@ from deltacal_gen.identification.folds import folds
 from deltacal_gen.identification.identification import identify
 from deltacal_gen.machine.registry import Machine, load_mechanism
 from deltacal_gen.machine.values import Recording
+from deltacal_gen.pages import report
 from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.results.shown import needless
 from deltacal_gen.units import DEG, to_internal
@@ -457,4 +458,5 @@ def test_a_calibration_that_gains_nothing_is_told(robot: Robot) -> None:
     assert found.heldout_rms_mm > found.before_rms_mm
     assert "robot file has it leaves no more" in needless(found.before_rms_mm, found.heldout_rms_mm)
     assert "want no correction" in diagnose(robot, readings).answer().summary
+    assert "robot file has it leaves no more" in report.calibration(found)
     assert not needless(1.0, 0.5)

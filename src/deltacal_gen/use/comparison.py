@@ -23,7 +23,7 @@ from deltacal_gen.results.comparison import Change, Comparison, Moved
 from deltacal_gen.results.motion import MotionDiagnosis, MotionResult, TorqueEffect
 from deltacal_gen.results.parts import RobotTables
 from deltacal_gen.results.result import Parameter, Result, Status
-from deltacal_gen.results.shown import rounded
+from deltacal_gen.results.shown import needless, rounded
 from deltacal_gen.units import file_unit, to_internal
 
 FEW = 0.5  # of the readings: a fit that leaves fewer to judge it by takes a good part of the noise away
@@ -255,6 +255,14 @@ def _summary(moved: Moved | None, changed: Sequence[Change], same: Sequence[Chan
 def _flattered(found: Result) -> str:
     unit, length = shown_in(found)
     return flattered(found.degrees_of_freedom, found.readings.scalars, found.train_rms_mm / length, unit)
+
+
+def said_of_errors(found: Result) -> list[str]:
+    """Return how the errors of a result before and after are to be taken, where not as they are."""
+    (unit, length), held = shown_in(found), found.heldout_rms_mm
+    few = flattered(found.degrees_of_freedom, found.readings.scalars, found.train_rms_mm / length, unit)
+    vain = needless(found.before_rms_mm / length, held and held / length, unit) if found.rank else ""
+    return [said for said in (few, vain) if said]
 
 
 def flattered(left: float | None, readings: int, rms: float, unit: str = "mm") -> str:

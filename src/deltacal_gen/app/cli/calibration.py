@@ -102,6 +102,7 @@ def _show_result(found: Result) -> None:
     from deltacal_gen.results.parts import Source
     from deltacal_gen.results.result import Status
     from deltacal_gen.results.shown import decimals, rounded
+    from deltacal_gen.use.comparison import said_of_errors
 
     for joint in found.never_seen or ():
         screen.print(words(joint))
@@ -143,7 +144,7 @@ def _show_result(found: Result) -> None:
         f"after {decimals(found.train_rms_mm / length)} {unit}{beside} "
         f"(noise {decimals(found.sigma_mm / length)}, {found.sigma_source})"
     )
-    for said in _said_of_errors(found):
+    for said in said_of_errors(found):
         screen.print(said)
     if firmware := found.firmware:
         screen.print(
@@ -155,17 +156,6 @@ def _show_result(found: Result) -> None:
         screen.print("What is left stands above the noise: this geometry does not explain all of these readings.")
     for doubt in found.doubts or ():
         screen.print(f"warning: {escaped(doubt)}")
-
-
-def _said_of_errors(found: Result) -> list[str]:
-    """Return how the errors before and after are to be taken, where not as they are."""
-    from deltacal_gen.results.shown import needless
-    from deltacal_gen.use.comparison import flattered
-
-    (unit, length), held = shown_in(found), found.heldout_rms_mm
-    few = flattered(found.degrees_of_freedom, found.readings.scalars, found.train_rms_mm / length, unit)
-    vain = needless(found.before_rms_mm / length, held and held / length, unit) if found.rank else ""
-    return [said for said in (few, vain) if said]
 
 
 def _show_not_pinned(found: Result) -> None:
