@@ -393,6 +393,24 @@ def test_a_reflector_that_was_knocked_for_a_while_is_left_out_and_told(arm: Robo
         assert np.sqrt(np.mean((predict(known, readings).measured - readings.measured) ** 2)) < 2 * SIGMA
 
 
+@pytest.mark.parametrize(("poses", "wrong", "other"), [(12, 3, 9), (14, 0, 2)])
+def test_of_few_poses_one_with_cells_of_another_is_left_out_and_told(
+    arm: Robot, poses: int, wrong: int, other: int
+) -> None:
+    """It pulled the machine by centimetres, stood out of nothing, and the zero of a joint or nonsense was told."""
+    readings = recorded(arm, wide(np.random.default_rng(100 * poses + (poses == 12)), poses, 1.2), size=0.1)
+    copied = dataclasses.replace(readings, measured=readings.measured.copy())
+    copied.measured[wrong] = copied.measured[other]
+    bare = dataclasses.replace(arm, tool=np.zeros(3))
+    enough = poses == 14
+    found = [identify(bare, copied).answer(), *([diagnose(bare, copied).answer()] if enough else [])]
+    assert {known.gross_errors for known in found} == {(wrong + 2,)}
+    for known in found:
+        off = predict(known, readings).measured - readings.measured
+        assert np.sqrt(np.mean(np.delete(off, wrong, axis=0) ** 2)) < 3 * SIGMA
+    assert "joints of another pose" in (found[0].doubts or ("",))[0]
+
+
 def test_a_slip_is_no_reflector_that_was_knocked(arm: Robot) -> None:
     readings = recorded(arm, wide(np.random.default_rng(2), 60, 1.2), size=0.1)
     slipped = dataclasses.replace(readings, measured=readings.measured.copy())

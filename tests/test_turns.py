@@ -77,6 +77,21 @@ def test_rotations_that_tell_nothing_are_told(read: Path) -> None:
     assert not commands.identify(read / "robot.toml", read / "vector.csv").get("doubts")
 
 
+def test_rotations_in_another_frame_than_positions_are_told_by_how_they_stand(read: Path, tmp_path: Path) -> None:
+    """Some instruments count angles about axes that stand a quarter of a turn off those of their coordinates."""
+    rows = (read / "vector.csv").read_text().splitlines()
+    columns, cells = rows[0].split(","), [row.split(",") for row in rows[1:]]
+    at = [columns.index(f"{axis}_mm") for axis in "xyz"]
+    for own in cells:
+        x, y = (own[k] for k in at[:2])
+        own[at[0]], own[at[1]] = y, repr(-float(x))
+    (tmp_path / "other.csv").write_text("\n".join([rows[0], *map(",".join, cells)]) + "\n")
+    (tmp_path / "other.toml").write_text((read / "vector.toml").read_text())
+    [doubt] = commands.identify(read / "robot.toml", tmp_path / "other.csv")["doubts"]
+    assert "from pose to pose they turn as it does" in doubt
+    assert "turned by 90 deg about (0.00, 0.00, 1.00)" in doubt
+
+
 def test_targets_may_be_turns_too(read: Path, tmp_path: Path) -> None:
     rows = (read / "turns.csv").read_text().splitlines()
     keep = [k for k, name in enumerate(rows[0].split(",")) if name in (*POSITION, *ROTATION)]

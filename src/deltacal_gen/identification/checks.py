@@ -14,15 +14,15 @@ from deltacal_gen.estimation.fit import SPARE_READINGS, fit, rough
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.prior import unsaid
 from deltacal_gen.estimation.problem import Problem
-from deltacal_gen.estimation.residuals import HUBER, MOST_APART, MOST_GROSS, apart, lengths
+from deltacal_gen.estimation.residuals import HUBER, MOST_APART, MOST_GROSS, apart, lengths, rms
 from deltacal_gen.estimation.series import sequence
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.files.robot import robot_size
+from deltacal_gen.identification.rotations import POSES_LOOKED_AT, turned, turns_alike
 from deltacal_gen.instrument.kinds import kind_of, mounts, readings
 from deltacal_gen.machine.places import read_together
 from deltacal_gen.machine.registry import Array, Machine
-from deltacal_gen.machine.rotation import from_turns, to_vector
-from deltacal_gen.machine.values import ROTATION, Recording, numbered
+from deltacal_gen.machine.values import Recording, numbered
 from deltacal_gen.physics.body import Body
 from deltacal_gen.units import DEG
 
@@ -31,15 +31,14 @@ SPARE_HEIGHTS = 1  # of probed heights and printed distances, whose noise is rou
 IMPLAUSIBLE = 0.005  # of the machine's size: more is no error of stiff parts; mistakes of the recording are looked for
 NONSENSE = 0.1  # of what poses spread over: so far off, the machine explains next to nothing of the readings
 NOTHING = 0.5  # of what images differ by: a machine that leaves more explains less than three quarters of it
-POSES_LOOKED_AT, SEED = 60, 2021  # poses, drawn at random, on which mistakes are tried
+SEED = 2021  # of the poses on which mistakes are tried
 NEARER = 0.5  # of the error: a mistake that brings less is not fitted
 MOST_FITTED = 4
 EXPLAINED = 0.1  # of the error: what a mistake may leave that explains it
 FEW = 12  # lines that a sentence names
 FEWEST_COPIES = 5  # rows: fewer may agree in every digit that was written
 EXACT = 1e-6  # of the machine's size: a fit that leaves less is one of readings without noise
-FAR_TURNED = 2 * DEG  # rms of rotations beside a fit: no instrument reads so badly
-TURNED = 0.3  # of what they are off: what another meaning of their angles may leave that explains them
+MOST_TRIED = 30  # poses: of more, what one says is little enough to be left to its weight
 ELSEWHERE = 45 * DEG  # of an encoder offset: it is nearer to a quarter of a turn than to a joint that was homed badly
 
 
@@ -172,12 +171,12 @@ def plausible(first: Fit) -> None:
     refused where one of them explains nearly all, or where the machine explains next to nothing of what was read.
     """
     problem, found = first.problem, first.problem.readings
-    off = _typical(first.residual, first)
+    off = _typical(first)
     if found.kind.sees_joints:
         _of_these_joints(first, off)
         return
     _read_at_all(first, off)
-    _turns_alike(first)
+    turns_alike(first)
     points = first.machine.x[found.used, :3]
     spread = float(np.linalg.norm(points.std(axis=0)))
     if off < IMPLAUSIBLE * max(robot_size(problem.robot), spread):
@@ -199,6 +198,35 @@ def plausible(first: Fit) -> None:
             "the columns of the recording with what was measured, and of which point.",
             file=problem.recording.path,
         )
+
+
+def all_but_one(first: Fit) -> np.ndarray | None:
+    """Return which readings are left where those of one pose alone are not of this machine; None where there is none.
+
+    Where poses are few, one with the joints or cells of another pulls the machine so far that it does not stand out of
+    what is left, whatever it weighs. It is among those that are farthest off the machine as drawn, and shows in what a
+    fit of all others leaves.
+    """
+    problem, found = first.problem, first.problem.readings
+    if not found.kind.positions or not 1 < len(np.unique(found.group)) <= MOST_TRIED:
+        return None
+    most, before = IMPLAUSIBLE * robot_size(problem.robot), _sizes(first)
+    others = found.group != found.group[np.argmax(before)]
+    if rms(before[others]) < most and np.mean(~others) <= MOST_GROSS:
+        return None  # its weight makes next to nothing of it
+    models = problem.mechanism.models
+    drawn = problem.with_names(unsaid(problem.with_names(max(models.values(), key=len))))
+    far = _sizes(fit(drawn, Prior(), weigh_repeats=False, must_converge=False))
+    poses = list(dict.fromkeys(found.group[np.argsort(-far)].tolist()))
+    for pose in poses[:MOST_FITTED]:
+        rest = np.flatnonzero(found.group != pose)
+        try:
+            left = rms(_sizes(rough(problem.subset(rest), must_converge=False)))
+        except (InputError, NoSolutionError):
+            continue
+        if left < min(most, EXPLAINED * rms(before)):
+            return rest
+    return None
 
 
 def _stood_still(problem: Problem) -> None:
@@ -237,20 +265,6 @@ def _read_at_all(first: Fit, off: float) -> None:
         )
 
 
-def turned(at: Fit) -> tuple[str, ...]:
-    """Return that measured rotations are not the machine's, where a fit leaves so much of them: they told nothing."""
-    left = at.residual[:, 3:] if at.problem.readings.rotations is not None else np.empty(0)
-    left = left[np.isfinite(left)]
-    off = float(np.sqrt(np.mean(left**2))) if len(left) else 0.0
-    if off < FAR_TURNED:
-        return ()
-    return (
-        f"the measured rotations are {off / DEG:.2g} deg off this machine, which explains its positions: they told "
-        "next to nothing. rx_deg, ry_deg, rz_deg are a rotation vector of the platform about the instrument's axes; "
-        "what else they may be, the sidecar says (rotation under [measurement]).",
-    )
-
-
 def zeroed(at: Fit) -> tuple[str, ...]:
     """Return that lengths count from a zero of their own, where that takes away most of what a fit leaves.
 
@@ -278,47 +292,6 @@ def zeroed(at: Fit) -> tuple[str, ...]:
         f"from point to point, which leaves {again.rms():.3g} mm instead of {at.rms():.3g} mm. Correct the column "
         f'{problem.recording.columns[0]}, or say zero = "incremental" under [measurement] in the sidecar.',
     )
-
-
-def _apart(rotations: Array, drawn: Array, problem: Problem) -> float:
-    """Return by how much rotations (R, 3, 3) differ from others [rad], the median over pairs of poses of a set-up.
-
-    From pose to pose both turn by one angle, wherever the instrument stands and however its body is mounted.
-    """
-    setup, off = problem.readings.setup, []
-    for s in np.unique(setup):
-        own = np.flatnonzero((setup == s) & np.isfinite(rotations[:, 0, 0]))[:POSES_LOOKED_AT]
-        a, b = np.triu_indices(len(own), 1)
-        turns = (to_vector(np.swapaxes(R[own[a]], 1, 2) @ R[own[b]]) for R in (rotations, drawn))
-        read, made = (np.linalg.norm(turn, axis=1) for turn in turns)
-        off.append(np.abs(read - made))
-    return float(np.median(np.concatenate(off)))
-
-
-def _turns_alike(first: Fit) -> None:
-    """Raise an InputError where measured rotations agree with the machine as turns about axes, not as vectors.
-
-    The machine is the robot file's: one that was fitted to such rotations has bent to them.
-    """
-    problem, found = first.problem, first.problem.readings
-    if not turned(first) or found.rotations is None or not {3, 4, 5} <= {*found.components}:
-        return
-    drawn = problem.solve(problem.reference).x[found.rows[:, 0], 3:].reshape(-1, 3, 3)
-    off, recording, read = _apart(found.rotations, drawn, problem), problem.recording, np.isfinite(found.rotations)
-    angles = recording.measured[found.rows[:, 0]][:, [recording.columns.index(name) for name in ROTATION]]
-    tried = {order: np.full(found.rotations.shape, np.nan) for order in map("".join, itertools.permutations("xyz"))}
-    for order, rotations in tried.items():
-        rotations[read[:, 0, 0]] = from_turns(order, angles[read[:, 0, 0]])
-    left = {order: _apart(rotations, drawn, problem) for order, rotations in tried.items()}
-    best = min(left, key=lambda order: left[order])
-    if left[best] < TURNED * off:
-        raise InputError(
-            f"rx_deg, ry_deg, rz_deg are no rotation vectors: from pose to pose they turn by {off / DEG:.2g} deg more "
-            f"or less than the machine. As angles of turns about the instrument's axes, one after the other, it is "
-            f"{left[best] / DEG:.2g} deg.",
-            f'Say so under [measurement] in the sidecar: rotation = "{best}".',
-            file=recording.path,
-        )
 
 
 def _zeros(first: Fit) -> None:
@@ -417,8 +390,8 @@ def left_out(of: Problem) -> tuple[str, ...]:
     named = ", ".join(map(str, lines[:FEW])) + (" ..." if len(lines) > FEW else "")
     return (
         f"{len(lines)} readings are far beyond all others together and were left out (lines {named}): an "
-        "overflow, a reflector that was knocked or lost for a while, or another one that was caught. Measure these "
-        "poses again.",
+        "overflow, a reflector that was knocked or lost for a while, another one that was caught, or joints of another "
+        "pose. Measure these poses again.",
     )
 
 
@@ -446,10 +419,15 @@ def copied(recording: Recording) -> tuple[str, ...]:
     )
 
 
-def _typical(residual: Array, at: Fit) -> float:
+def _typical(at: Fit) -> float:
     """Return the median length of residuals [mm]."""
-    each = np.nan_to_num(lengths(residual, at.problem.readings.kind))
-    return float(np.median(np.linalg.norm(each, axis=1)))
+    return float(np.median(_sizes(at)))
+
+
+def _sizes(at: Fit) -> Array:
+    """Return the lengths (R,) of residuals [mm]."""
+    size: Array = np.linalg.norm(np.nan_to_num(lengths(at.residual, at.problem.readings.kind)), axis=1)
+    return size
 
 
 def _explained(problem: Problem, off: float) -> list[str]:
@@ -470,7 +448,7 @@ def _explained(problem: Problem, off: float) -> list[str]:
         except (InputError, NoSolutionError):
             continue
         smaller = min(1.0, _spread(changed) / _spread(problem))  # in a larger unit all is smaller, errors too
-        if _typical(again.residual, again) < EXPLAINED * off * smaller:
+        if _typical(again) < EXPLAINED * off * smaller:
             out.append(words)
     return out
 

@@ -22,7 +22,14 @@ from deltacal_gen.files.checks import check_units
 from deltacal_gen.files.robot import Robot, for_model
 from deltacal_gen.identification import carried, drawing, identifiability
 from deltacal_gen.identification.answer import Identification
-from deltacal_gen.identification.checks import check_rows, chosen_model, distinct, plausible, without_knocked
+from deltacal_gen.identification.checks import (
+    all_but_one,
+    check_rows,
+    chosen_model,
+    distinct,
+    plausible,
+    without_knocked,
+)
 from deltacal_gen.identification.folds import FOLDS, folds
 from deltacal_gen.identification.identifiability import Combination
 from deltacal_gen.identification.knowledge import uncertainty_of
@@ -188,6 +195,9 @@ def _begun(
 ) -> tuple[Fit, Problem, tuple[Missing, ...]]:
     """Return the rough fit, the problem with the effects that these readings bear out, and those that they do not."""
     first = rough(everything, robust, must_converge=False)  # `plausible` says why it may not
+    if robust and (rest := all_but_one(first)) is not None:
+        everything, problem = everything.subset(rest), problem.subset(rest)
+        first = rough(everything, robust, must_converge=False)
     if not everything.held or everything.readings.made:
         return first, problem, ()
     progress("what of the diagnosis holds here")
