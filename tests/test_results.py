@@ -70,6 +70,7 @@ BARE = {  # numbers without a unit: counts, parts of a whole, figures of statist
         "share_of_excess",
         "gain_chi2",
         "gain_by_limb",
+        "instead_of_limb",
     ),
     *("expected_chi2", "line", "n", "pose_count", "corrected", "change", "threshold", "layers", "chosen", "settled"),
     *("O1", "O2", "O3", "O4", "O5", "machines", "lost", "seed", "points", "count", "recordings", "named_right"),

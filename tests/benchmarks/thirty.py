@@ -50,7 +50,7 @@ STEERING = {
         *("ALIKE", "HARDLY_ALIKE", "BORNE_OUT", "MUCH_WORSE", "TURNS", "SETTLED"),
         *("MOST_EFFECTS", "MOST_WAVES", "REVISIONS", "FEW", "RIVALS", "NEAR", "GIVEN_UP"),
     ),
-    "diagnosis.charges": ("CHANCE", "MARGIN"),
+    "diagnosis.charges": ("CHANCE", "MARGIN", "AS_GOOD", "BENT"),
     "diagnosis.harmonics": ("FEW", "LONGEST", "SEEN_TWICE"),
     "diagnosis.chance": ("MOST_LEVERAGE", "LEAST_REST", "PROVEN"),
     "diagnosis.search": ("REFINED", "NEAR_BEST", "ASIDE"),

@@ -265,6 +265,7 @@ def _effect(found: Named, joint_unit: str, chance: Chance, clock: str) -> Effect
         share_of_excess=found.share,
         harmonic_of=None if found.fundamental is None else order_of(found.fundamental),
         indistinguishable_from=found.alike,
+        instead_of_limb={str(limb): others for limb, others in found.elsewhere.items()} or None,
     )
 
 
@@ -340,9 +341,9 @@ def _summary(found: Diagnosed) -> str:
     if found.verdict is Verdict.MISSING_PHYSICS:
         return (
             f"{turned}Geometry alone leaves {decimals(before)} mm on held-out readings. What is missing: "
-            f"{'; '.join(parts)}. {_left_by(found)}{_alike(found.effects)}{_hinted(found)}"
+            f"{'; '.join(parts)}. {_left_by(found)}{_alike(found.effects)}{_elsewhere(found)}{_hinted(found)}"
         )
-    named = f" Proven beside it: {'; '.join(parts)}." if parts else ""
+    named = f" Proven beside it: {'; '.join(parts)}.{_elsewhere(found)}" if parts else ""
     mismatch = "As recorded, a mismatch" if turned else "A mismatch"
     return (
         f"{turned}{mismatch} of {decimals(found.final.rms())} mm is left that no registered effect explains: "
@@ -403,6 +404,17 @@ def _alike(effects: Sequence[Named]) -> str:
         if n.alike and n.fundamental is None
     ]
     return f" These poses cannot tell {'; '.join(told)}: what to measure next decides." if told else ""
+
+
+def _elsewhere(found: Diagnosed) -> str:
+    """Return at which limbs effects may be instead, as far as these poses go, and what would tell."""
+    told = [
+        f"{n.term.effect}{at(found.robot, [limb])} from one{at(found.robot, others)}"
+        for n in found.effects
+        for limb, others in n.elsewhere.items()
+    ]
+    move = "poses in which the joints between them turn" if found.robot.links else "other poses"
+    return f" These poses do not tell {'; '.join(told)}: {move} would." if told else ""
 
 
 def _odds(lead: float) -> str:

@@ -186,6 +186,12 @@ def _allowed(problem: Problem, joints: Array) -> np.ndarray:
     return within
 
 
+def within_limits(problem: Problem) -> bool:
+    """Tell whether poses that could be taken are all that the machine can take: else as far as its joints were seen."""
+    anywhere = problem.robot.workspace is not None and not problem.mechanism.many_ways
+    return anywhere or problem.robot.joint_limits is not None
+
+
 def _joint_range(problem: Problem) -> tuple[Array, Array]:
     """Return the lowest and highest joints that may be commanded, as the controller counts."""
     if problem.robot.joint_limits is not None:

@@ -22,6 +22,8 @@ CHANCE = 5e-4  # that noise alone earns a form, or a limb, its charge
 MOST_SETS, MOST_FORMS = 6, 3  # limbs of which all sets are looked at; forms of an effect on more that are
 UNSEEN = 1e-6  # part of a column's square beside the base: less is a combination of what is fitted
 SMALLEST = 1e-8  # of the largest eigenvalue: below it columns are combinations of one another
+AS_GOOD = 1.0  # of chi2: what explains so much less is as likely
+BENT = 1e-4  # of a gain: what the linear machine may make of a movement of which a hundredth bends
 T = TypeVar("T")
 
 
@@ -130,6 +132,31 @@ def best_part(every: Term, allowed: Sequence[object], forms: int, G: Array, b: A
         if gain - price > found[3]:
             found = _on(every, sets[which]), int(some[k]), gain, gain - price
     return found
+
+
+def stiffest(every: Term, part: Term, allowed: Sequence[object], G: Array, b: Array, size: Array) -> tuple[Term, float]:
+    """Return the part of a form with the smallest coefficients of those that explain as much, and what it earns more.
+
+    In each another limb stands for one. Where poses do not tell limbs apart, as of parallel joints of which one alone
+    turns, the one with the longest lever has to give least: machines are stiff.
+
+    Parameters
+    ----------
+    G, b, size : (n, n), (n,) and (n,) array
+        Normal equations of the form's unit columns on all limbs, and the columns' lengths.
+    """
+    own = list(carriers_of(part))
+    others = [c for c in allowed if c not in own]
+    if not own or not others:
+        return part, 0.0
+    sets = [own, *([*own[:i], other, *own[i + 1 :]] for i in range(len(own)) for other in others)]
+    at = np.array([_places(every, sorted(some, key=carriers_of(every).index)) for some in sets])
+    each = gains(G[at[:, :, None], at[:, None, :]], b[at])
+    near = np.flatnonzero(each > each[0] - max(AS_GOOD, BENT * each[0]))
+    inverse = np.linalg.pinv(G[at[near][:, :, None], at[near][:, None, :]], rcond=SMALLEST, hermitian=True)
+    values = (inverse @ b[at[near]][:, :, None])[:, :, 0] / size[at[near]]
+    best = int(near[np.argmin(np.linalg.norm(values, axis=1))])
+    return (_on(every, sets[best]), float(each[best] - each[0])) if best else (part, 0.0)
 
 
 def _greedy(

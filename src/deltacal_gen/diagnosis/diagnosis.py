@@ -259,15 +259,13 @@ def drawn_beside(robot: Robot, recording: Recording, model: str | None) -> Drawn
     """
     problem, name, lean = _geometry(robot, recording, model)
     some = problem.some(MOST_POSES, np.random.default_rng(SEED))
-    start = rough(some, must_converge=False)
-    if (others := checks.all_but_one(start)) is not None:  # of few poses, all of them
-        problem = some = problem.subset(others)
-        start = rough(some, must_converge=False)
-    first = _first(some, start, recording)
+    first = _first(some, recording)
+    if first.problem is not some:  # which had few poses: all of them
+        problem = some = first.problem
     for without in (without_overflow, checks.without_knocked):
         if (rest := without(problem, first)) is not None:
             problem, some = rest, rest.some(MOST_POSES, np.random.default_rng(SEED))
-            first = _first(some, rough(some, must_converge=False), recording)
+            first = _first(some, recording)
     return Drawn(robot, problem, name, lean, some, first)
 
 
@@ -276,8 +274,15 @@ def _searched(of: Drawn, progress: Progress) -> _Begun:
     return _Begun(*of, terms, not_tested, searched(of.some, of.first, terms, of.lean, progress))
 
 
-def _first(some: Problem, start: Fit, recording: Recording) -> Fit:
-    """Return the fit of geometry and instrument, no reading dropped: what is left out may look like gross errors."""
+def _first(some: Problem, recording: Recording) -> Fit:
+    """Return the fit of geometry and instrument, no reading dropped: what is left out may look like gross errors.
+
+    One of few poses that is of none of the others is, with its problem.
+    """
+    start = rough(some, must_converge=False)
+    if (others := checks.all_but_one(start)) is not None:
+        some = some.subset(others)
+        start = rough(some, must_converge=False)
     checks.plausible(start)
     checks.check_rows(start, recording)
     return fit(some, Prior(), errors=start.errors, instrument=start.instrument, drop_gross=False, must_converge=False)

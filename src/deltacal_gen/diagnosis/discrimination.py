@@ -23,6 +23,7 @@ from deltacal_gen.diagnosis.candidates import (
     gap_of,
     in_time,
     joints_of,
+    within_limits,
 )
 from deltacal_gen.diagnosis.designs import Duel, Refutation, choose
 from deltacal_gen.estimation.fitted import Fit
@@ -40,6 +41,10 @@ from deltacal_gen.states import CHANNELS, TEMPERATURE, TIME, of_column
 CLEAR = 58.0
 LEAST = 10.0  # of chi2: poses that promise less are not worth a trip to the machine
 NO_POSES = f"No poses of this machine do: none promise a difference of {LEAST:g} in chi2."
+NONE_SO_FAR = (
+    f"No poses do within what the joints have moved: none promise a difference of {LEAST:g} in chi2. Say how far each "
+    "joint may go (limits_deg or limits_mm under [joints] in the robot file), and diagnose again."
+)
 PROFILE = "separates a profile of the axis from the instrument's own non-linearity"
 TURNED_ROUND = (
     "Such readings show both alike. Turn the instrument round, or shift it along the axis, and repeat: what moves with "
@@ -351,7 +356,7 @@ def _entry(why: str, found: Proposal, truth: Term, rival: Term | None, problem: 
     missing = [
         n for n in columns_read(problem, [t for t in (truth, rival) if t]) if n not in problem.recording.channels
     ]
-    text = NO_POSES
+    text = NO_POSES if within_limits(problem) else NONE_SO_FAR
     if missing:
         text += f" Record {', '.join(missing)} and vary what is recorded."
     if any(_reads_only(t) for t in (truth, rival) if t):

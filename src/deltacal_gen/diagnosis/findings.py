@@ -57,6 +57,7 @@ class Named:
     effects that could, through a channel that was not recorded or did not vary. `of_constant` is the standard
     deviation of a constant that was searched. `lead` is by how much the score exceeds that of the best rival. A
     harmonic names its `fundamental`, with which it is one finding: score and rivals are of all its waves together.
+    `elsewhere` has the limbs in whose place others explain as much, and these.
     """
 
     term: Term
@@ -69,6 +70,7 @@ class Named:
     of_constant: float | None = None
     lead: float = np.inf
     fundamental: Term | None = None
+    elsewhere: dict[int, tuple[int, ...]] = dataclasses.field(default_factory=dict)
 
     @property
     def alike(self) -> tuple[str, ...]:
@@ -192,7 +194,8 @@ def named_of(
             borne, most = search.fit.problem.borne([term]), largest(term, final.problem.recording.joint_unit)
             std = np.where(borne, std, most.ravel())
             gain = alone.gain(alone.where(term))
-            out.append(Named(term, std, gain, 1.0, others, unrecorded, score, of_constant, lead, of))
+            at_others = alone.elsewhere(term) if of is None else {}
+            out.append(Named(term, std, gain, 1.0, others, unrecorded, score, of_constant, lead, of, at_others))
     # of the held-out variance above noise, each in proportion to what is lost without it
     before, after = heldout
     removed = float(np.clip((before**2 - after**2) / max(before**2 - sigma**2, 1e-300), 0.0, 1.0))

@@ -29,6 +29,7 @@ from deltacal_gen.diagnosis.charges import (
     key,
     places,
     several,
+    stiffest,
 )
 from deltacal_gen.diagnosis.harmonics import (
     FEW,
@@ -268,6 +269,19 @@ class Search:
         C, inside = self._columns[:, some], self._inside[:, some]
         return C.T @ C - inside.T @ inside, self._reach[some]
 
+    def elsewhere(self, term: Term) -> dict[int, tuple[int, ...]]:
+        """Return the limbs of a form in whose place others explain about as much, and these."""
+        every = next((t for t in self.terms if key(t) == key(term)), None)
+        if every is None:
+            return {}
+        least, out = self.gain(self.where(term)) - MARGIN, {}
+        for i in term.limbs:
+            others = [j for j in every.limbs if j not in term.limbs]
+            swapped = [on_limbs(every, [j, *(k for k in term.limbs if k != i)]) for j in others]
+            if alike := tuple(j for j, t in zip(others, swapped, strict=True) if self.gain(self.where(t)) > least):
+                out[i] = alike
+        return out
+
     def shift_by(self, effect: int, columns: Sequence[int]) -> Array:
         """Return by how much unit columns in the readings shift the coefficients of a fitted effect (n_c, n)."""
         own = self.fit.problem.coefficients(effect)
@@ -299,6 +313,8 @@ class Search:
         while len(open_forms) and allowed is not None:
             part, k, gain, score = best_part(forms[0], allowed, len(forms), G[open_forms], b[open_forms])
             k = int(open_forms[k])
+            part, more = stiffest(forms[0], part, allowed, G[k], b[k], size[k])
+            gain, score = gain + more, score + more
             form = dataclasses.replace(part, constants=forms[free[k]].constants)
             own = places(forms[0], part)
             cannot = self._beyond(form, G[k][np.ix_(own, own)], b[k, own], size[k, own])

@@ -146,6 +146,8 @@ class Effect(Value):
     share_of_excess: float
     """Part of the held-out variance above noise that it removes."""
     indistinguishable_from: tuple[str, ...]
+    instead_of_limb: dict[str, tuple[int, ...]] | None = None
+    """Limbs in whose place these others explain as much; of such limbs the one that gives least is named."""
 
     @property
     def periods(self) -> tuple[float, ...]:

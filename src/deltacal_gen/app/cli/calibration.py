@@ -230,6 +230,9 @@ def show_diagnosis(found: Diagnosis) -> None:
             if effect.indistinguishable_from:
                 others = ", ".join(effect.indistinguishable_from)
                 screen.print(f"  these poses cannot tell {effect.name} from {others}")
+            for limb, instead in (effect.instead_of_limb or {}).items():
+                which = f"{effect.name}{at(robot, [int(limb)])} from one{at(robot, instead)}"
+                screen.print(f"  these poses cannot tell {escaped(which)}")
     for k, law in enumerate(found.laws):
         for term in law.terms:
             said = escaped(f"{term.expression}{at(robot, term.limbs)}")
