@@ -270,15 +270,19 @@ class Search:
         return C.T @ C - inside.T @ inside, self._reach[some]
 
     def elsewhere(self, term: Term) -> dict[int, tuple[int, ...]]:
-        """Return the limbs of a form in whose place others explain about as much, and these."""
-        every = next((t for t in self.terms if key(t) == key(term)), None)
-        if every is None:
+        """Return the limbs of a form in whose place others explain about as much, and these.
+
+        A size that is searched may be another at another limb.
+        """
+        forms = [t for t in self._forms(term.effect) if term.kernels.SIZED or key(t) == key(term)]
+        if not forms or not term.limbs:
             return {}
         least, out = self.gain(self.where(term)) - MARGIN, {}
         for i in term.limbs:
-            others = [j for j in every.limbs if j not in term.limbs]
-            swapped = [on_limbs(every, [j, *(k for k in term.limbs if k != i)]) for j in others]
-            if alike := tuple(j for j, t in zip(others, swapped, strict=True) if self.gain(self.where(t)) > least):
+            others = [j for j in forms[0].limbs if j not in term.limbs]
+            rest = [k for k in term.limbs if k != i]
+            most = {j: max(self.gain(self.where(on_limbs(t, [j, *rest]))) for t in forms) for j in others}
+            if alike := tuple(j for j in others if most[j] > least):
                 out[i] = alike
         return out
 
@@ -312,8 +316,8 @@ class Search:
         last = Found(forms[0], 0.0, -np.inf)
         while len(open_forms) and allowed is not None:
             part, k, gain, score = best_part(forms[0], allowed, len(forms), G[open_forms], b[open_forms])
+            part, k, more = stiffest(forms[0], part, k, allowed, G[open_forms], b[open_forms], size[open_forms])
             k = int(open_forms[k])
-            part, more = stiffest(forms[0], part, allowed, G[k], b[k], size[k])
             gain, score = gain + more, score + more
             form = dataclasses.replace(part, constants=forms[free[k]].constants)
             own = places(forms[0], part)
