@@ -516,8 +516,9 @@ def _corrected(found: Diagnosed) -> str:
         most = f" Most of it: {own}. No period is claimed over the range that was seen."
         if found.final.repeats.rows > 1:
             most += " Rows that follow one another are alike: only the same poses on another day tell joints from time."
+    aside = ", gross errors left out," if len(found.final.gross) else ""
     return (
-        f"A smooth correction by {on}, without physics, lowers the error of held-out readings from "
+        f"A smooth correction by {on}, without physics, lowers the error of held-out readings{aside} from "
         f"{decimals(before)} to {decimals(after)} mm; predictions use it where {where} as in this recording.{most}"
     )
 
