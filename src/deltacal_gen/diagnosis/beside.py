@@ -85,10 +85,15 @@ class Beside:
         """Return the same with some of the readings (R,) only; repeats of a pose must not be parted."""
         out = copy.copy(self)
         out.owner = self.owner[chosen[self.owner]]
-        keep = np.concatenate([chosen[self.owner], np.ones(len(self._base) - self.readings, dtype=bool)])
+        every = np.column_stack([self._base, self._pulled])
+        kept = np.vstack([self.parted(every[: self.readings], chosen), every[self.readings :]])
         out.readings = len(out.owner)
-        out._project(self._base[keep], self._pulled[keep])
+        out._project(kept[:, :-1], kept[:, -1])
         return out
+
+    def parted(self, rows: Array, chosen: np.ndarray) -> Array:
+        """Return whitened rows (scalars, n) of some of the readings (R,)."""
+        return self.fit.repeats.parted(rows, chosen[self.owner])
 
     def joined(self, columns: Array) -> Beside:
         """Return the same with other whitened columns (scalars, n) fitted too, free of any prior."""

@@ -66,7 +66,7 @@ from deltacal_gen.identification.folds import folds
 from deltacal_gen.identification.noise import lack_of_fit, merely_more, stated
 from deltacal_gen.identification.overflow import without_overflow
 from deltacal_gen.identification.prior import learned
-from deltacal_gen.identification.together import as_predicts, better_alone, deviance_of, together
+from deltacal_gen.identification.together import as_predicts, better_alone, deviance_of, together, without_following
 from deltacal_gen.machine.backend import by_recording
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Recording
@@ -262,7 +262,7 @@ def drawn_beside(robot: Robot, recording: Recording, model: str | None) -> Drawn
     first = _first(some, recording)
     if first.problem is not some:  # which had few poses: all of them
         problem = some = first.problem
-    for without in (without_overflow, checks.without_knocked):
+    for without in (without_overflow, checks.without_knocked, without_following):
         if (rest := without(problem, first)) is not None:
             problem, some = rest, rest.some(MOST_POSES, np.random.default_rng(SEED))
             first = _first(some, recording)

@@ -71,18 +71,19 @@ class Evidence:
 
 def evidence(at: Fit, before: Array, after: Array) -> Evidence:
     """Return what held-out errors (R, k) [mm, rad] without effects and with them say, as a fit counts readings."""
-    seen = np.isfinite(before) & np.isfinite(after)
-    without, with_them = (_whitened(at, np.where(seen, e, 0.0)) for e in (before, after))
+    seen: np.ndarray = np.isfinite(before) & np.isfinite(after)
+    without, with_them = (_whitened(at, np.where(seen, e, 0.0), np.asarray(seen.any(axis=1))) for e in (before, after))
     ratio, moved = float((_huber(without) - _huber(with_them)).sum()), without - with_them
     either = (_huber(with_them + moved) + _huber(with_them - moved)) / 2 - _huber(with_them)
     return Evidence(ratio, float((moved**2).sum()), float(either.sum()))
 
 
-def _whitened(at: Fit, errors: Array) -> Array:
-    """Return errors (R, k) in units of their noise, what repeats and neighbours share taken off."""
+def _whitened(at: Fit, errors: Array, known: np.ndarray) -> Array:
+    """Return errors (R, k) in units of their noise, what repeats and neighbours that are `known` share taken off."""
     read = np.isfinite(at.residual).any(axis=0)
     ratio = np.broadcast_to(at.repeats.ratio, read.shape)[read]
-    return dataclasses.replace(at.repeats, ratio=ratio).whiten(errors[:, read] / at.sigma[read] * np.sqrt(1 + ratio))
+    whole = dataclasses.replace(at.repeats, ratio=ratio)
+    return whole.whiten(errors[:, read] / at.sigma[read] * np.sqrt(1 + ratio), known=known)
 
 
 def _huber(z: Array) -> Array:

@@ -14,8 +14,8 @@ from deltacal_gen.estimation.fit import fit
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import ROUNDING, Problem
 from deltacal_gen.estimation.residuals import Repeats
-from deltacal_gen.estimation.series import Series
 from deltacal_gen.estimation.solvers import Prior
+from deltacal_gen.identification.together import common
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.terms import Term, beyond, largest, without_rows
 
@@ -67,10 +67,10 @@ def refitted(
 
 def _correlated(at: Fit, problem: Problem) -> Repeats | None:
     """Return how the noise of other readings hangs together, as a fit counts with it; None where it knows nothing."""
-    known, own = at.repeats, Series.of(problem.readings, problem.recording)
-    if known.plain or own is None:
+    known = at.repeats
+    if known.plain or (own := common(problem, at)) is None:
         return None
-    series = known.series and dataclasses.replace(own, rho=known.series.rho, own=known.series.own)
+    series = known.series and own.like(known.series)
     return dataclasses.replace(known, group=problem.readings.group, series=series)
 
 

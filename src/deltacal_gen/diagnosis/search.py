@@ -181,7 +181,7 @@ class Search:
         """Return the search on some of the readings (R,) only; repeats of a pose must not be parted."""
         out = copy.copy(self)
         out._parted = True
-        out._columns = self._columns[chosen[self._beside.owner]]
+        out._columns = self._beside.parted(self._columns, chosen)
         out._place(self._beside.within(chosen))
         return out
 

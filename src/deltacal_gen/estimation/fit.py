@@ -330,7 +330,7 @@ def held_out_errors(full: Fit, solver: Solver, parts: Sequence[tuple[np.ndarray,
         rows, test = train[owner], test & ~gross
         if not test.any() or rows.sum() <= full.solution.degrees + full.instrument.n_unknown:
             continue
-        part = linear.subset(rows)
+        part = linear.subset(rows, full.weights, full.repeats)
         A, b = part.machine
         step = solver.solve(A, b + A @ departure, float(full.sigma[0]), len(part.b)).u - departure
         R, along = part.instrument

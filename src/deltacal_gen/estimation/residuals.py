@@ -9,8 +9,8 @@ from math import erf, erfc, exp, pi, sqrt
 
 import numpy as np
 
+from deltacal_gen.estimation.correlated import Correlated
 from deltacal_gen.estimation.directions import levelling
-from deltacal_gen.estimation.series import Series
 from deltacal_gen.instrument.kind import Kind, Readings
 from deltacal_gen.machine.registry import Array
 
@@ -37,13 +37,14 @@ class Repeats:
     random-effects model). The noise of a single reading is ``1 + ratio``; rows come divided by the part within.
     `ratio` is a number, or one for each component of a reading: positions may be aimed anew where rotations are not.
 
-    Noise may hang together in time, too: `series` says how, and in which order readings were taken. Where it is not
+    Noise may hang together in time, too: `series` says how, and in which order readings were taken; of distances, which
+    points they lie between and share the errors of. Where it is not
     alike in all directions, `shape` (k, k) is its covariance in units of the mean variance.
     """
 
     group: np.ndarray
     ratio: float | Array = 0.0
-    series: Series | None = None
+    series: Correlated | None = None
     shape: Array | None = None
 
     @property
@@ -65,13 +66,20 @@ class Repeats:
         """So many rows tell as much as one whose noise is its own."""
         return 1.0 if self.series is None else self.series.rows
 
-    def whiten(self, values: Array, weights: Array | None = None) -> Array:
+    def whiten(self, values: Array, weights: Array | None = None, known: np.ndarray | None = None) -> Array:
         """Return rows (R, k, ...) with all that they share taken off, alike in all directions.
 
-        They come multiplied by the roots of `weights` (R,).
+        They come multiplied by the roots of `weights` (R,); those that are not `known` (R,) are zero.
         """
         apart = self._apart(self.levelled(values), np.ones(len(values)) if weights is None else weights)
-        return apart if self.series is None else dataclasses.replace(self.series, weight=weights).freed(apart)
+        if self.series is None:
+            return apart
+        series = self.series.weighted(weights)
+        return series.freed(apart) if known is None else series.freed_among(apart, known)
+
+    def parted(self, rows: Array, chosen: np.ndarray, weights: Array | None = None) -> Array:
+        """Return some (scalars,) of whitened rows (scalars, n); see `whiten`."""
+        return rows[chosen] if self.series is None else self.series.weighted(weights).parted(rows, chosen)
 
     def levelled(self, values: Array) -> Array:
         """Return rows (R, k, ...) whose noise is alike in all directions."""

@@ -11,10 +11,10 @@ import dataclasses
 import itertools
 from dataclasses import dataclass
 from functools import cache, cached_property
-from typing import NamedTuple
 
 import numpy as np
 
+from deltacal_gen.estimation.correlated import DEFINITE, Correlated, Taken
 from deltacal_gen.instrument.kind import Readings
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.values import Recording
@@ -24,24 +24,8 @@ FADES = (0.0, *np.linspace(-0.2, np.log(LONGEST), 12).tolist())  # log(1 - rho) 
 OWN = (0.1, 0.3, 0.5, 0.7, 0.9)  # parts of the variance that are each row's own, likewise
 REFINED = 6  # times that the steps between those are halved
 OWN_PRICE = 6.6  # of the deviance: what a part of each row's own must explain; chance does in one of a hundred
-SIZES = np.geomspace(0.5, 2.0, 21)  # of noise that are tried, in the one that what each direction leaves speaks for
-SETTLING = 10  # rounds to that one
 SORTED = 0.2  # of the rows of a file, that are earlier than the one before: it is not in the order of reading
-UNSEEN = 1e-6  # of the largest singular value: less is no direction that readings see
 FAINT = 1e-6  # weight below which a reading counts for nothing
-DEFINITE = 1e-12  # of the variance: keeps a factor real where rounding would not
-TINY = 1e-300  # of what readings without any error leave
-
-
-class Taken(NamedTuple):
-    """What a fit may have taken out of readings.
-
-    Columns (R, k, n) of what it knew to one, and where it drew to (n,); columns (R, k, m) of what it knew nothing of.
-    """
-
-    known: Array
-    toward: Array
-    free: Array
 
 
 def sequence(found: Readings, recording: Recording) -> np.ndarray:
@@ -63,7 +47,7 @@ def sequence(found: Readings, recording: Recording) -> np.ndarray:
 
 
 @dataclass(frozen=True, eq=False)
-class Series:
+class Series(Correlated):
     """Readings in the order in which they were taken, and how their noise hangs together.
 
     Attributes
@@ -98,6 +82,16 @@ class Series:
         gap = np.where(same, np.maximum(np.diff(place[order]), 1), np.inf)
         return Series(order, np.concatenate([[np.inf], gap]))
 
+    def like(self, other: Correlated) -> Series:
+        """Return the noise of these readings as that of others hangs together."""
+        return dataclasses.replace(self, rho=other.rho, own=other.own)
+
+    @property
+    def text(self) -> str:
+        """How the noise of rows hangs together, in words."""
+        words = f"the noise hangs together over {self.rows:.0f} rows (correlation {self.rho:.2f} from row to row"
+        return words + (f", beside {self.own:.0%} of its variance that is each row's own)" if self.own else ")")
+
     @property
     def rows(self) -> float:
         """So many rows tell as much of a mean as one whose noise is its own; all of a set-up at most."""
@@ -127,6 +121,10 @@ class Series:
     def _of_a_set_up(self) -> float:
         """Rows that a set-up has, in the mean."""
         return len(self.gap) / float(np.isinf(self.gap).sum())
+
+    def weighted(self, weight: Array | None) -> Series:
+        """Return the noise of rows that count so much (R,), 1 fully."""
+        return dataclasses.replace(self, weight=weight)
 
     def freed(self, values: Array) -> Array:
         """Return rows (R, ...) freed of what those before them tell; noise of size 1 stays so."""
@@ -198,37 +196,6 @@ class Series:
         volume = 2 * float(np.log(self._left).sum())
         return volume + 2 * float(np.log(self._factor[0]).sum()) if self._parted else volume
 
-    def deviance(self, z: Array, taken: Taken | None = None) -> float:
-        """Return twice the negative logarithm of the likelihood of rows (R, k), but for a constant.
-
-        Their common size is the one that fits best. What a fit may have taken is taken out as this noise has it: the
-        likelihood is that of the rest (Patterson and Thompson 1971, Biometrika 58, 545-554).
-        """
-        e = self.freed(z).ravel()
-        volume = z.shape[1] * self.volume
-        if taken is None:
-            return float(e.size * np.log(np.mean(e**2)) + volume)
-        A, M = (self.freed(columns).reshape(len(e), -1) for columns in (taken.known, taken.free))
-        Q, R = np.linalg.qr(M)
-        both = np.column_stack([A, e])
-        both -= Q @ (Q.T @ both)
-        A, e = both[:, :-1], both[:, -1]
-        A, inner = np.linalg.qr(A)
-        U, root, V = np.linalg.svd(inner)
-        seen = root > UNSEEN * root.max(initial=0.0)  # of joints without a drawing the instrument alone is unknown
-        A, root = A @ U[:, seen], root[seen]
-        along, size = A.T @ e, root**2
-        rest, free = max(float(np.sum((e - A @ along) ** 2)), TINY), len(e) - M.shape[1]
-        inside = (along - root * (V[seen] @ taken.toward)) ** 2
-        about = max(float(e @ e), TINY) / max(free, 1)  # what the fit leaves is near to it, wherever the machine stands
-        for _ in range(SETTLING):  # to where the slope of the likelihood by the size is nothing
-            noise = about / (about + size)
-            about = (rest + (inside * noise**2).sum()) / max(free - len(size) + noise.sum(), DEFINITE)
-        s = about * SIZES[:, None] ** 2
-        each = free * np.log(s[:, 0]) + np.log1p(size / s).sum(axis=1)
-        each += rest / s[:, 0] + (inside / (s + size)).sum(axis=1)
-        return _least(each) + volume + 2 * float(np.log(np.abs(np.diagonal(R))).sum())
-
     def likeliest(self, z: Array, taken: Taken | None = None) -> tuple[Series, float]:
         """Return the noise that explains rows (R, k) best, beside what a fit took out of them, and its deviance."""
 
@@ -254,11 +221,3 @@ class Series:
                 best = min(best, *(tried(min(a, 0.0), o) for a, o in shifts if 0 <= o < 1))
         cost, fades, own = best
         return dataclasses.replace(self, rho=1 - float(np.exp(fades)), own=own), cost - OWN_PRICE * (own > 0)
-
-
-def _least(each: Array) -> float:
-    """Return the least of values (n,) in equal steps, between them by a parabola."""
-    k = int(np.clip(np.argmin(each), 1, len(each) - 2))
-    before, at, after = each[k - 1 : k + 2]
-    bend = before - 2 * at + after
-    return float(at - (after - before) ** 2 / (8 * bend)) if bend > 0 else float(min(each))

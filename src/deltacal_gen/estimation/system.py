@@ -67,9 +67,9 @@ class System:
         R = self.triangle[: self.n_m]
         return R[:, : self.n_m], R[:, self.n_m :]
 
-    def subset(self, chosen: np.ndarray) -> System:
-        """Return the system of some of its rows."""
-        return dataclasses.replace(self, rows=self.rows[chosen])
+    def subset(self, chosen: np.ndarray, weights: Array, shared: Repeats) -> System:
+        """Return the system of some of its rows, weighed as all are."""
+        return dataclasses.replace(self, rows=shared.parted(self.rows, chosen, weights))
 
     def rest(self, s: Array, t: Array) -> Array:
         """Return what a step leaves of the rows (scalars,)."""

@@ -36,7 +36,7 @@ from deltacal_gen.identification.knowledge import uncertainty_of
 from deltacal_gen.identification.noise import noise, with_tails
 from deltacal_gen.identification.overflow import without_overflow
 from deltacal_gen.identification.remedies import printed, remedies
-from deltacal_gen.identification.together import together
+from deltacal_gen.identification.together import together, without_following
 from deltacal_gen.identification.uncertainty import uncertainty_map
 from deltacal_gen.machine.backend import by_recording
 from deltacal_gen.machine.differences import between
@@ -215,7 +215,8 @@ def _fine(problem: Problem, rule: Solver, first: Fit, robust: bool) -> Fit:
     """
     at = fit(problem, rule, errors=first.errors, machine=first.machine, instrument=first.instrument, robust=robust)
     at = (drawing.as_read(at, robust=robust) or at) if isinstance(rule, Prior) else at
-    rest = (without_overflow(at.problem, at) or without_knocked(at.problem, at)) if robust else None
+    without = (without_overflow, without_knocked, without_following) if robust else (without_following,)
+    rest = next((some for each in without if (some := each(at.problem, at)) is not None), None)
     return at if rest is None else _fine(rest, rule, first, robust)
 
 
@@ -246,11 +247,14 @@ def _held_out(final: Fit, rule: Solver, robust: bool) -> tuple[Fit, float]:
     """Return the fit that predicts held-out readings better, and its error: with rows weighed alone, or together.
 
     What a fit leaves hangs together where noise does, but also where physics was left out, which no weights of rows
-    make good: readings decide. A smaller model's hangs together where neighbouring rows are neighbouring poses.
+    make good: readings decide. A smaller model's hangs together where neighbouring rows are neighbouring poses, and where
+    distances share a pose. What points share that were measured once weighs them, whatever it predicts.
     """
     problem, recording = final.problem, final.problem.recording
     whole = set(problem.mechanism.model(problem.mechanism.full_model)) <= set(problem.names)
-    calm = together(final) if whole and problem.readings.kind.positions else None
+    shares = problem.readings.rows.shape[1] > 1
+    proven = problem.readings.following > 0  # whatever the model
+    calm = together(final) if proven or (whole and (shares or problem.readings.kind.positions)) else None
     if calm is None:
         return final, held_out(final, rule, folds(problem.readings, recording))
     weighed = fit(
@@ -264,7 +268,7 @@ def _held_out(final: Fit, rule: Solver, robust: bool) -> tuple[Fit, float]:
         must_converge=False,
     )
     parts = folds(problem.readings, recording, rows=calm.rows)
-    each = [(at, held_out(at, rule, parts)) for at in (final, weighed)]
+    each = [(at, held_out(at, rule, parts)) for at in ((weighed,) if shares else (final, weighed))]
     return min(each, key=lambda found: found[1])
 
 

@@ -151,9 +151,9 @@ def noise_model(final: Fit, known: Noise) -> NoiseModel:
     series, shape = final.repeats.series, final.repeats.shape
     words, rho, rows, own = "each row has noise of its own", 0.0, 1.0, 1.0
     if series is not None:
-        rho, rows, own = series.rho, series.rows, series.own
-        words = f"the noise hangs together over {rows:.0f} rows (correlation {rho:.2f} from row to row"
-        words += f", beside {own:.0%} of its variance that is each row's own)" if own else ")"
+        words, rho, rows, own = series.text, series.rho, series.rows, series.own
+    following = final.problem.readings.following
+    words += f"; {following} distances more follow from those that count and tell nothing new" if following else ""
     columns = None if shape is None else tuple(np.sqrt(np.diag(shape)).tolist())
     words += "" if shape is None else f"; {_directed(shape)}"
     words += "".join(f"; {said}" for said in (str(known.tails), known.rounded) if said)

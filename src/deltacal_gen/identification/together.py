@@ -6,11 +6,14 @@ import dataclasses
 
 import numpy as np
 
+from deltacal_gen.estimation.correlated import Correlated, Taken
 from deltacal_gen.estimation.directions import price_of, shape_of
+from deltacal_gen.estimation.ends import Ends
 from deltacal_gen.estimation.fit import fit, held_out
 from deltacal_gen.estimation.fitted import Fit
+from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.residuals import GROSS, HUBER, Repeats
-from deltacal_gen.estimation.series import Series, Taken
+from deltacal_gen.estimation.series import Series
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.identification.folds import folds
 from deltacal_gen.machine.registry import Array
@@ -26,11 +29,45 @@ def together(at: Fit) -> Repeats | None:
     None where it is neither. Physics that was left out looks like it too, where neighbouring rows are neighbouring
     poses or times, and where it moves readings along one axis: which of the two it is, a comparison of both tells.
     """
-    series = Series.of(at.problem.readings, at.problem.recording)
-    if series is None or len(series.order) < 2:
+    series = common(at.problem, at)
+    if series is None or len(at.residual) < 2:
         return None
     found, _ = _suited(at, series, len(at.problem.scale))
     return None if found.plain else found
+
+
+def common(problem: Problem, at: Fit) -> Correlated | None:
+    """Return what readings of a problem may have in common, at a fit to them or others; None where they have nothing.
+
+    Readings of one row follow on others; distances end in points that others end in.
+    """
+    found, recording = problem.readings, problem.recording
+    if found.rows.shape[1] == 1:
+        return Series.of(found, recording)
+    same = at.problem.body is problem.body
+    return Ends.of(found, recording, at.machine.x if same else problem.poses(at.errors))
+
+
+def without_following(problem: Problem, first: Fit) -> Problem | None:
+    """Return the problem without distances that follow from the others, as those of points measured once do; else None.
+
+    They tell nothing that the others do not. `first` is fitted to some readings or all.
+    """
+    ends = common(problem, first)
+    if not isinstance(ends, Ends):
+        return None
+    same = first.problem is problem
+    left = first.residual if same else problem.residual(first.errors, first.instrument, problem.poses(first.errors))
+    declared = problem.readings.kind.sigma(problem.recording.measurement, first.instrument.scale)
+    noise = float(first.sigma[0]) if declared is None else min(declared, float(first.sigma[0]))
+    if (leading := ends.leading(left[:, 0], noise)) is None:
+        return None
+    kept, lines = problem.readings.subset(leading), problem.recording.pair_line
+    assert lines is not None
+    kept = dataclasses.replace(kept, following=len(problem.readings) - len(kept))
+    return dataclasses.replace(
+        problem, readings=kept, recording=problem.recording.subset_pairs(np.isin(lines, kept.line))
+    )
 
 
 def rows_alone(at: Fit, drop_gross: bool = False) -> Fit:
@@ -52,7 +89,7 @@ def better_alone(at: Fit) -> Fit | None:
     What hangs together may be physics that was left out, which no weights of rows make good: readings decide. Those
     that know less than a position are too few to, and mostly lie along a path.
     """
-    if at.repeats.series is None:
+    if not isinstance(at.repeats.series, Series):
         return None
     alone = rows_alone(at, drop_gross=True)
     parts = folds(at.problem.readings, at.problem.recording, rows=at.repeats.rows)
@@ -75,10 +112,10 @@ def deviance_of(at: Fit) -> float:
     The noise is the one that suits best what it leaves: one that leaves white noise needs none that hangs together.
     Geometry and instrument are taken out whatever the effects: the likelihood is that of the same contrasts for all.
     Noise that hangs together pays its price, beside an effect or instead of it; so does one that has directions. A
-    gross error counts as a reading of as much more noise as it is off. Readings of two rows stand in no order, and
-    their noise is each one's own.
+    gross error counts as a reading of as much more noise as it is off. Where readings have nothing in common, their
+    noise is each one's own.
     """
-    series = Series.of(at.problem.readings, at.problem.recording)
+    series = common(at.problem, at)
     if series is None:
         found = float((_rows(at, at.residual) ** 2).sum())
     else:
@@ -86,15 +123,15 @@ def deviance_of(at: Fit) -> float:
     return found + 2 * float((np.log(at.sigma) * np.isfinite(at.residual).sum(axis=0)).sum())
 
 
-def _suited(at: Fit, series: Series, count: int) -> tuple[Repeats, float]:
+def _suited(at: Fit, series: Correlated, count: int) -> tuple[Repeats, float]:
     """Return the noise that suits what a fit leaves best, and its deviance with what it pays.
 
     `count` parameters, and the instrument, are taken out.
     """
     z, taken = _rows(at, at.residual), _taken(at, count)
-    series = dataclasses.replace(series, weight=_weights(at))
+    series = series.weighted(_weights(at))
     best, cost = _along(at.repeats.as_plain(), series, z, taken)
-    shape = _shape(at, z if best.series is None else dataclasses.replace(best.series, weight=series.weight).freed(z))
+    shape = _shape(at, z if best.series is None else best.series.weighted(series.weight).freed(z))
     if shape is None:
         return best, cost
     has = dataclasses.replace(best, series=None, shape=shape)
@@ -104,13 +141,13 @@ def _suited(at: Fit, series: Series, count: int) -> tuple[Repeats, float]:
     return (other, less) if less < cost else (best, cost)
 
 
-def _along(has: Repeats, series: Series, z: Array, taken: Taken | None) -> tuple[Repeats, float]:
-    """Return noise as it hangs together from row to row, where that is proven, and the deviance, with its price."""
+def _along(has: Repeats, series: Correlated, z: Array, taken: Taken | None) -> tuple[Repeats, float]:
+    """Return noise as readings have it in common, where that is proven, and the deviance, with its price."""
     alone = series.deviance(z, taken)
     found, deviance = series.likeliest(z, taken)
     if alone - deviance < PROVEN:
         return has, alone
-    return dataclasses.replace(has, series=dataclasses.replace(found, weight=None)), min(deviance + PRICE, alone)
+    return dataclasses.replace(has, series=found.weighted(None)), min(deviance + PRICE, alone)
 
 
 def _shape(at: Fit, z: Array) -> Array | None:
@@ -132,7 +169,8 @@ def _taken(at: Fit, count: int) -> Taken | None:
     fits are compared.
     """
     problem = at.problem
-    if problem.readings.n_scalars > MANY * (count + at.instrument.n_unknown):
+    several = problem.readings.rows.shape[1] > 1  # many distances may have few points in common
+    if not several and problem.readings.n_scalars > MANY * (count + at.instrument.n_unknown):
         return None
     state = problem.linearise(at.errors, at.instrument, at.machine)
     own = problem.columns[:count]

@@ -57,6 +57,8 @@ class Readings:
         Line in the file.
     made : bool
         Distances made of measured positions, which share their noise.
+    following : int
+        So many more follow from these, and were left out.
     known : (R, k) array or None
         What the recording tells of each reading beside what was read: where on a board its point lies [mm].
     components : tuple of int
@@ -71,6 +73,7 @@ class Readings:
     group: np.ndarray
     line: np.ndarray
     made: bool = False
+    following: int = 0
     known: Array | None = None
     components: tuple[int, ...] = ALL
 
