@@ -144,6 +144,8 @@ def _where(
             else f"what is left comes back at each visit of a pose (correlation {again:.2f}), but from one pose to the "
             "next it jumps: poses between them would show how"
             if comes > ALIKE and again > RETURNING
+            else "what is left goes with the points that distances share and depends on nothing that was recorded"
+            if at.repeats.rows > 1 and at.problem.readings.rows.shape[1] > 1
             else f"what is left hangs together over {at.repeats.rows:.0f} rows and depends on nothing that was recorded"
             if at.repeats.rows > 1
             else "what is left is alike in the readings of a pose, but depends on nothing that was recorded"
@@ -200,7 +202,7 @@ def named_of(
     before, after = heldout
     removed = float(np.clip((before**2 - after**2) / max(before**2 - sigma**2, 1e-300), 0.0, 1.0))
     total = sum(n.gain for n in out) + (sum(spectrum.gains.values()) if spectrum else 0.0)
-    return tuple(dataclasses.replace(n, share=removed * n.gain / total) for n in out)
+    return tuple(dataclasses.replace(n, share=removed * n.gain / max(total, 1e-300)) for n in out)
 
 
 def _is_as_well(rival: Term, own: Term) -> bool:

@@ -160,6 +160,9 @@ def beside_noise(found: Outcome, lean: bool) -> Outcome:
     kept = refitted(found.problem, dataclasses.replace(at, repeats=calm), terms_of(at))
     if kept is None or (not at.repeats.plain and deviance_of(kept) > deviance_of(at)):
         return found
+    if at.problem.readings.rows.shape[1] > 1:  # points that distances share are held out together
+        parts = folds(at.problem.readings, at.problem.recording, rows=calm.rows)
+        found = dataclasses.replace(found, parts=parts, without=held_out_errors(found.first, Prior(), parts))
     search = _proven(found.problem, Search(kept, found.search.terms))
     predicted = held_out_by(found.problem, search, found.parts) if search.effects else found.without
     if search.effects and evidence(found.first, found.without, predicted).denies:

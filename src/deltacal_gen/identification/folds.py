@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from deltacal_gen.estimation.ends import points_of
 from deltacal_gen.estimation.series import sequence
 from deltacal_gen.instrument.kind import Readings
 from deltacal_gen.machine.values import Recording, numbered
@@ -26,9 +27,14 @@ def folds(
     So do several points that were read where the machine stood, and neighbours whose noise hangs together over `rows`:
     readings of one error say nothing of one another.
 
-    Distances made of positions are split by pose: a distance counts where both its poses are in the same part.
+    Distances made of positions are split by pose: a distance counts where both its poses are in the same part. So are
+    those whose noise is of the points they share, along the way from point to point.
     """
     rng = np.random.default_rng(SEED)
+    if rows > 1 and found.rows.shape[1] > 1:
+        ends, points = points_of(found, recording)
+        part = _along(ends, points, count)[ends]
+        return [((part != k).all(axis=1), (part == k).all(axis=1)) for k in range(count)]
     if found.made:
         _, pose = np.unique(recording.pose, return_inverse=True)
         ends = pose[found.rows]
@@ -74,6 +80,21 @@ def _stretches(found: Readings, recording: Recording) -> np.ndarray:
         label[rows] = done + at
         done += int(at.max(initial=0.0)) + 1
     return np.ravel(np.unique(label[found.rows[:, 0]], return_inverse=True)[1])
+
+
+def _along(ends: np.ndarray, points: int, count: int) -> np.ndarray:
+    """Return the part (points,) of each point that distances (R, 2) lie between: neighbours are in one, mostly.
+
+    In the order of Cuthill and McKee (1969) neighbours stand near to one another; of a chain it is the chain's own.
+    """
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import reverse_cuthill_mckee
+
+    both = np.vstack([ends, ends[:, ::-1]]).T
+    graph = coo_array((np.ones(both.shape[1]), both), shape=(points, points)).tocsr()
+    part = np.empty(points, dtype=int)
+    part[reverse_cuthill_mckee(graph, symmetric_mode=True)] = np.arange(points) * count // points
+    return part
 
 
 def _parts(n: int, count: int, rng: np.random.Generator) -> np.ndarray:

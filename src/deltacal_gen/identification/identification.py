@@ -247,8 +247,8 @@ def _held_out(final: Fit, rule: Solver, robust: bool) -> tuple[Fit, float]:
     """Return the fit that predicts held-out readings better, and its error: with rows weighed alone, or together.
 
     What a fit leaves hangs together where noise does, but also where physics was left out, which no weights of rows
-    make good: readings decide. A smaller model's hangs together where neighbouring rows are neighbouring poses, and where
-    distances share a pose. What points share that were measured once weighs them, whatever it predicts.
+    make good: readings decide. A smaller model's hangs together where neighbouring rows are neighbouring poses, and
+    where distances share a pose. What points share that were measured once weighs them, whatever it predicts.
     """
     problem, recording = final.problem, final.problem.recording
     whole = set(problem.mechanism.model(problem.mechanism.full_model)) <= set(problem.names)
