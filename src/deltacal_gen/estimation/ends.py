@@ -27,6 +27,7 @@ REFINED = 6  # times that the step between those is halved
 FAINT = 1e-6  # weight below which a reading counts for nothing
 FLAT = 1e-10  # of the largest square: less is a direction in which no point moves a reading
 PER_POINT = 12  # distances that are looked at for each point: four times as many as tell where it is
+SPARE = 3  # distances more than follow, of which noise of their own is told
 FOLLOWS = 0.1  # of the noise: the part of its own of a distance that others tell
 
 
@@ -108,7 +109,7 @@ class Ends(Correlated):
         """What distances have in common, in words."""
         return (
             f"{1 - self.own:.0%} of the noise's variance is of the points between which distances lie, and shared by "
-            f"all that end there: they count as one of {self.rows:.1f}"
+            f"all that end there: {self.rows:.1f} of them tell as much as one read anew"
         )
 
     @cached_property
@@ -221,9 +222,6 @@ class Ends(Correlated):
         rest = left[some] - D @ np.linalg.lstsq(D, left[some], rcond=np.sqrt(FLAT))[0]
         own = 1.4826 * float(np.median(np.abs(rest))) * np.sqrt(len(some) / (len(some) - rank))
         return None if own > FOLLOWS * noise else np.sort(some[order[:rank]])
-
-
-SPARE = 3  # distances more than follow, of which noise of their own is told
 
 
 class _Root(NamedTuple):
