@@ -59,6 +59,11 @@ ORDINARY = {"theta": 0.3, "mm": 0.1, "rad": 0.03}  # [deg, mm, deg] standard dev
 Run = Callable[..., tuple[int, str, str]]
 
 
+def pytest_configure() -> None:
+    """Look for garbage seldom: it is little beside what imports and syntax trees hold."""
+    gc.set_threshold(100_000, 20, 20)
+
+
 def pytest_collection_finish() -> None:
     """Leave what imports made out of every later collection of garbage: it stays to the end."""
     gc.collect()

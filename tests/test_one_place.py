@@ -81,22 +81,30 @@ OF_TARGETS = {
 }
 
 
-def places(rule: Callable[[ast.AST], bool], *home: str) -> Iterator[str]:
-    """Yield ``path:function`` of all that a rule finds outside its home."""
+Nodes = list[tuple[str, str, ast.AST]]
+
+
+@pytest.fixture(scope="module")
+def nodes() -> Nodes:
+    """Return all nodes of the source, each with its path and the function or class around it."""
+    found: Nodes = []
+
+    def walk(where: str, owner: str, node: ast.AST) -> None:
+        owner = node.name if isinstance(node, ast.FunctionDef | ast.ClassDef) else owner
+        found.append((where, owner, node))
+        for child in ast.iter_child_nodes(node):
+            walk(where, owner, child)
+
     for path in sorted(SOURCE.rglob("*.py")):
-        where = path.relative_to(SOURCE).as_posix()
-        if where.startswith((*home, PAPERS, EXAMPLES)):
-            continue
-        tree = ast.parse(path.read_text(encoding="utf-8"))
-        inside = {
-            id(node): f.name
-            for f in ast.walk(tree)
-            if isinstance(f, ast.FunctionDef | ast.ClassDef)
-            for node in ast.walk(f)
-        }
-        for node in ast.walk(tree):
-            if rule(node):
-                yield f"{where}:{inside.get(id(node), 'the module')}: {ast.unparse(node)}"
+        walk(path.relative_to(SOURCE).as_posix(), "the module", ast.parse(path.read_text(encoding="utf-8")))
+    return found
+
+
+def places(nodes: Nodes, rule: Callable[[ast.AST], bool], *home: str) -> Iterator[str]:
+    """Yield ``path:function`` of all that a rule finds outside its home."""
+    for where, owner, node in nodes:
+        if not where.startswith((*home, PAPERS, EXAMPLES)) and rule(node):
+            yield f"{where}:{owner}: {ast.unparse(node)}"
 
 
 def words(*nodes: ast.AST | None) -> set[str]:
@@ -178,9 +186,9 @@ def of_machines(node: ast.AST) -> bool:
     ids=["states", "kinds", "effects", "targets", "machines"],
 )
 def test_what_is_known_is_known_in_one_place(
-    rule: Callable[[ast.AST], bool], home: tuple[str, ...], allowed: dict[str, str]
+    nodes: Nodes, rule: Callable[[ast.AST], bool], home: tuple[str, ...], allowed: dict[str, str]
 ) -> None:
-    found = list(places(rule, *home))
+    found = list(places(nodes, rule, *home))
     assert [line for line in found if not line.startswith(tuple(allowed))] == [], (
         "ask its home, or say why it may stand"
     )
