@@ -14,6 +14,7 @@ import dataclasses
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
@@ -110,12 +111,15 @@ class Search:
     def _compete(self, beside: Beside, problem: Problem, terms: Sequence[Term]) -> None:
         self._problem, self._parted = problem, False
         self.terms = tuple(terms)
+        self._of_effect: dict[str, list[Term]] = {}
+        for term in terms:
+            self._of_effect.setdefault(term.effect, []).append(term)
         self._columns = self._whitened(beside, terms)
         size = np.sqrt(np.einsum("ij,ij->j", self._columns, self._columns))
         starts = np.cumsum([0, *(t.n_coefficients for t in terms)])[:-1].tolist()
         self._start = dict(zip(map(key, terms), starts, strict=True))
         lever = problem.borne(terms).astype(float)
-        for span in map(self._span, dict.fromkeys(t.effect for t in terms)):
+        for span in map(self._span, self._of_effect):
             # rounding is no lever: a joint that bears nothing has nothing to twist by
             lever[span] *= size[span] > ROUNDING * size[span].max()
         self._size = np.maximum(size, 1e-300)
@@ -126,8 +130,8 @@ class Search:
         at = beside.fit
         return _beside_gaps(beside, terms, self._problem.term_columns(terms, at.errors, at.instrument, beside.machine))
 
-    def _forms(self, name: str) -> list[Term]:
-        return [t for t in self.terms if t.effect == name]
+    def _forms(self, name: str) -> Sequence[Term]:
+        return self._of_effect.get(name, ())
 
     def _span(self, name: str) -> slice:
         """Return the columns of all forms of an effect."""
@@ -219,7 +223,7 @@ class Search:
         start = self._start.get(key(term))
         if start is None:
             return []
-        return [start + j for j in places(next(t for t in self.terms if t.effect == term.effect), term)]
+        return [start + j for j in places(self._forms(term.effect)[0], term)]
 
     def columns_of(self, *terms: Term) -> list[int]:
         """Return the columns of several forms."""
@@ -237,7 +241,7 @@ class Search:
         first = terms[0]
         if len(terms) > 1:
             return charge(first, max(len(self._series(first).places), 1), len(terms))
-        return charge(first, sum(t.effect == first.effect for t in self.terms))
+        return charge(first, len(self._of_effect.get(first.effect, ())))
 
     def _series(self, term: Term) -> Series:
         """Return the periodic errors of several waves that the joints can show, by the places of their forms."""
@@ -343,29 +347,29 @@ class Search:
         every = self._forms(found.term.effect)
         free = np.array([key(t) not in self.effects for t in every])
         G, b = self.gram(found.term.effect), self._reach[self._span(found.term.effect)].reshape(len(every), -1)
-        tried: list[Found] = []
+        tried: list[_Tried] = []
         for limbs in dict.fromkeys([found.term.limbs, *((i,) for i in every[0].limbs)]):
-            waves = [on_limbs(t, limbs) for t in every]
-            own = places(every[0], waves[0])
-            holds = self._series(waves[0]).holds & free
+            wave = on_limbs(every[0], limbs)
+            own = places(every[0], wave)
+            holds = self._series(wave).holds & free
             if not len(holds):
                 continue  # no order repeats on so short a way
             count = holds.sum(axis=1)
-            prices = np.array([charge(waves[0], len(holds), n) for n in range(LONGEST + 1)])[count]
+            prices = np.array([charge(wave, len(holds), n) for n in range(LONGEST + 1)])[count]
             # waves that share nothing explain no more together than each alone
             most = holds @ gains(G[:, own][:, :, own], b[:, own])
-            few = count * waves[0].n_coefficients <= FEW * self.readings
+            few = count * wave.n_coefficients <= FEW * self.readings
+            columns = np.array([self._start[key(t)] for t in every])[:, None] + own
             for s in np.flatnonzero(few & (most > prices + max(found.score, 0.0) + MARGIN)):
-                tried.append(self._together([waves[k] for k in np.flatnonzero(holds[s])], len(holds)))
-        best = max(tried, key=lambda f: f.score, default=None)
-        if best is None or best.score < found.score + MARGIN or best.score < self._once(best) + MARGIN:
+                gain = self.gain(columns[holds[s]].ravel())
+                tried.append(_Tried(gain - prices[s], gain, limbs, np.flatnonzero(holds[s])))
+        best = max(tried, key=lambda t: t.score, default=None)
+        if best is None or best.score < found.score + MARGIN:
             return found
-        alike = (f for f in tried if f.score > best.score - MARGIN)
-        return min(alike, key=lambda f: (len(f.terms) * len(f.term.limbs), -f.score))
-
-    def _together(self, waves: Sequence[Term], forms: int) -> Found:
-        gain = self.gain(self.columns_of(*waves))
-        return Found(waves[0], gain, gain - charge(waves[0], forms, len(waves)), harmonics=tuple(waves[1:]))
+        if best.score < self._once(best.found(every)) + MARGIN:
+            return found
+        alike = (t for t in tried if t.score > best.score - MARGIN)
+        return min(alike, key=lambda t: (len(t.waves) * len(t.limbs), -t.score)).found(every)
 
     def _once(self, found: Found) -> float:
         """Return the score of functions as fine as a periodic error that do not repeat where the joints were."""
@@ -470,6 +474,20 @@ class Search:
         found = [self._with_harmonics(f) if f.term.limbs and several(f.term.effect) else f for f in found]
         near = max(NEAR_BEST * max((f.score for f in found), default=0.0), 0.0)
         return sorted((self._refined(f) if f.score > near else f for f in found), key=lambda f: -f.score)
+
+
+class _Tried(NamedTuple):
+    """A periodic error of several waves: its score, its gain, the limbs, and which of the forms its waves are."""
+
+    score: float
+    gain: float
+    limbs: tuple[int, ...]
+    waves: np.ndarray
+
+    def found(self, every: Sequence[Term]) -> Found:
+        """Return it as one form, of all forms that its waves are among."""
+        first, *others = (on_limbs(every[k], self.limbs) for k in self.waves)
+        return Found(first, float(self.gain), float(self.score), harmonics=tuple(others))
 
 
 def _beside_gaps(beside: Beside, terms: Sequence[Term], columns: Array) -> Array:
