@@ -136,6 +136,19 @@ def test_a_homography_is_found_beside_wrong_points() -> None:
 # --------------------------------------------------------------------------------------------------------- the machine
 
 
+@pytest.mark.parametrize("seed", range(4))
+def test_camera_and_board_are_found_from_where_images_show_the_board_and_one_shows_it_wrongly(seed: int) -> None:
+    """The first estimate, before any fit: to a few times the noise of where boards were seen to stand."""
+    rng, n = np.random.default_rng(seed), 9
+    S, C, B = (from_vector(rng.uniform(-2, 2, (m, 3))) for m in (n, 1, 1))
+    s, g, f = rng.normal(0, 300, (n, 3)), rng.normal(0, 300, 3), rng.normal(0, 50, 3)
+    M = C @ S @ B @ from_vector(rng.normal(0, 1e-3, (n, 3)))
+    t = (np.einsum("nij,j->ni", S, g) + s) @ C[0].T + f + rng.normal(0, 0.3, (n, 3))
+    M[0], t[0] = B[0], t[0] + 200.0
+    for found, true, near in zip(board.hand_eye(M, t, S, s), (C[0], f, B[0], g), (5e-3, 2.0, 5e-3, 2.0), strict=True):
+        assert found == pytest.approx(true, abs=near)
+
+
 @pytest.mark.parametrize("place", ["platform", "fixed"])
 def test_a_machine_is_found_by_images_with_wrong_points(robot: Robot, place: str) -> None:
     said = Measurement(camera=Camera(**LENS, place=place))

@@ -86,34 +86,36 @@ def homography(points: Array, image: Array) -> Array | None:
     size, spread = float(np.ptp(points, axis=0).max()), float(np.abs(image).max())
     if size == 0 or spread == 0:
         return None
-    rng = np.random.default_rng(SEED)
-    n, best, least = len(points), None, np.inf
-    samples = [np.arange(n)] + [rng.choice(n, FEWEST, replace=False) for _ in range(SAMPLES if n > FEWEST else 0)]
-    for chosen in samples:
-        H = _linear(points[chosen] / size, image[chosen] / spread)
-        off = np.linalg.norm(_mapped(H, points / size) - image / spread, axis=1)
-        if (middle := float(np.median(off))) < least:
-            best, least = off, middle
-    if best is None:
-        return None
-    near = best <= max(4.0 * least, 1e-9)
-    H = _linear(points[near] / size, image[near] / spread)
+    points, image = points / size, image / spread
+    rng, n = np.random.default_rng(SEED), len(points)
+    tried = _linear(points, image)[None]
+    if n > FEWEST:
+        chosen = np.array([rng.choice(n, FEWEST, replace=False) for _ in range(SAMPLES)])
+        tried = np.concatenate([tried, _linear(points[chosen], image[chosen])])
+    off = np.linalg.norm(_mapped(tried, points) - image, axis=2)
+    middle = np.median(off, axis=1)
+    best = int(np.argmin(middle))
+    near = off[best] <= max(4.0 * float(middle[best]), 1e-9)
+    H = _linear(points[near], image[near])
     whole: Array = np.diag([spread, spread, 1.0]) @ H @ np.diag([1 / size, 1 / size, 1.0])
     return whole if np.linalg.cond(H) < 1e7 else None
 
 
 def _linear(points: Array, image: Array) -> Array:
-    """Return the homography (3, 3) that linear equations of points (n, 2) and images (n, 2) give."""
-    one, none = np.ones((len(points), 1)), np.zeros((len(points), 3))
-    P = np.hstack([points, one])
-    A = np.vstack([np.hstack([P, none, -image[:, :1] * P]), np.hstack([none, P, -image[:, 1:] * P])])
-    return np.asarray(np.linalg.svd(A)[2][-1]).reshape(3, 3)
+    """Return the homographies (..., 3, 3) that linear equations of points and images (..., n, 2) give."""
+    P = np.concatenate([points, np.ones((*points.shape[:-1], 1))], axis=-1)
+    none = np.zeros_like(P)
+    along = np.concatenate([P, none, -image[..., :1] * P], axis=-1)
+    across = np.concatenate([none, P, -image[..., 1:] * P], axis=-1)
+    A = np.concatenate([along, across], axis=-2)
+    return np.asarray(np.linalg.svd(A)[2][..., -1, :]).reshape(*A.shape[:-2], 3, 3)
 
 
 def _mapped(H: Array, points: Array) -> Array:
-    out = np.hstack([points, np.ones((len(points), 1))]) @ H.T
+    """Return the images (S, n, 2) that homographies (S, 3, 3) make of points (n, 2)."""
+    out = np.hstack([points, np.ones((len(points), 1))]) @ np.swapaxes(H, 1, 2)
     with np.errstate(divide="ignore", invalid="ignore"):
-        return np.clip(np.nan_to_num(out[:, :2] / out[:, 2:], nan=FAR), -FAR, FAR)
+        return np.clip(np.nan_to_num(out[..., :2] / out[..., 2:], nan=FAR), -FAR, FAR)
 
 
 def focal_length(H: Array, width: float) -> float:
@@ -146,9 +148,10 @@ def stand(H: Array) -> tuple[Array, Array]:
 
 
 def nearest(A: Array) -> Array:
-    """Return the rotation (3, 3) nearest to a matrix."""
+    """Return the rotations (..., 3, 3) nearest to matrices."""
     U, _, Vt = np.linalg.svd(A)
-    turn: Array = U @ np.diag([1.0, 1.0, np.sign(np.linalg.det(U @ Vt))]) @ Vt
+    U[..., 2] *= np.sign(np.linalg.det(U @ Vt))[..., None]
+    turn: Array = U @ Vt
     return turn
 
 
@@ -160,44 +163,44 @@ def hand_eye(M: Array, t: Array, S: Array, s: Array) -> tuple[Array, Array, Arra
     """
     turning = float(np.abs(S - S.mean(axis=0)).max()) > TILTED
     reach = max(float(np.median(np.linalg.norm(t - np.median(t, axis=0), axis=1))), 1e-9)
-    best, least = None, np.inf
-    for C in _right_angles():
-        weights = np.ones(len(M))
-        for _ in range(ROUNDS):
-            B = nearest(np.einsum("n,nji,kj,nkl->il", weights, S, C, M))
-            g, f = _places(C, t, S, s, turning, weights)
-            inner = np.einsum("nij,j->ni", S, g) + s
-            pull = np.einsum("n,nij,kj,njl->il", weights, M, B, np.swapaxes(S, 1, 2)) * reach**2
-            before, C = C, nearest(pull + ((t - f) * weights[:, None]).T @ inner)
-            off = _apart((C, f, B, g), M, t, S, s, reach)
-            weights = np.minimum(1.0, np.median(off) / np.maximum(off, 1e-300))
-            if np.abs(C - before).max() < SETTLED:
-                break
-        g, f = _places(C, t, S, s, turning, weights)
-        if (cost := float(np.sum(_apart((C, f, B, g), M, t, S, s, reach)))) < least:
-            best, least = (C, f, B, g), cost
-    assert best is not None
-    return best
+    C = np.array(_right_angles())
+    B, weights, open_ = np.empty_like(C), np.ones((len(C), len(M))), np.arange(len(C))
+    for _ in range(ROUNDS):
+        before, w = C[open_], weights[open_]
+        B[open_] = own = nearest(np.einsum("an,anji,njl->ail", w, before[:, None] @ S, M))
+        g, f = _places(before, t, S, s, turning, w)
+        inner = np.einsum("nij,aj->ani", S, g) + s
+        pull = np.einsum("an,anil,njl->aij", w, M @ np.swapaxes(own, 1, 2)[:, None], S) * reach**2
+        C[open_] = now = nearest(pull + np.swapaxes((t - f[:, None]) * w[..., None], 1, 2) @ inner)
+        off = _apart((now, f, own, g), M, t, S, s, reach)
+        weights[open_] = np.minimum(1.0, np.median(off, axis=1, keepdims=True) / np.maximum(off, 1e-300))
+        open_ = open_[np.abs(now - before).max(axis=(1, 2)) >= SETTLED]
+        if not len(open_):
+            break
+    g, f = _places(C, t, S, s, turning, weights)
+    best = int(np.argmin(_apart((C, f, B, g), M, t, S, s, reach).sum(axis=1)))
+    return C[best], f[best], B[best], g[best]
 
 
 def _apart(at: tuple[Array, Array, Array, Array], M: Array, t: Array, S: Array, s: Array, reach: float) -> Array:
-    """Return how far boards stand (n,) [mm] from where camera and board `at` have them; turns count at `reach`."""
+    """Return how far boards stand (A, n) [mm] from where cameras and boards `at` have them; turns count at `reach`."""
     C, f, B, g = at
-    off = t - (np.einsum("nij,j->ni", S, g) + s) @ C.T - f
-    turned = M - np.einsum("ij,njk,kl->nil", C, S, B)
-    apart: Array = np.sqrt((off**2).sum(axis=1) + reach**2 * (turned**2).sum(axis=(1, 2)))
+    off = t - (np.einsum("nij,aj->ani", S, g) + s) @ np.swapaxes(C, 1, 2) - f[:, None]
+    turned = M - C[:, None] @ S @ B[:, None]
+    apart: Array = np.sqrt((off**2).sum(axis=2) + reach**2 * (turned**2).sum(axis=(2, 3)))
     return apart
 
 
 def _places(C: Array, t: Array, S: Array, s: Array, turning: bool, weights: Array) -> tuple[Array, Array]:
-    """Return g and f by least squares, images weighed; f is zero where nothing turns."""
-    A = np.einsum("ij,njk->nik", C, S)
+    """Return g and f (A, 3) of cameras by least squares, images weighed (A, n); f is zero where nothing turns."""
+    A = C[:, None] @ S
     if turning:
-        A = np.concatenate([A, np.tile(np.eye(3), (len(A), 1, 1))], axis=2)
-    root = np.sqrt(weights)[:, None]
-    rows, b = (A * root[..., None]).reshape(-1, A.shape[2]), ((t - s @ C.T) * root).ravel()
-    found = np.linalg.lstsq(rows, b, rcond=None)[0]
-    return found[:3], found[3:] if turning else np.zeros(3)
+        A = np.concatenate([A, np.broadcast_to(np.eye(3), A.shape)], axis=3)
+    root = np.sqrt(weights)[..., None]
+    rows, b = (A * root[..., None]).reshape(len(C), -1, A.shape[3]), ((t - s @ np.swapaxes(C, 1, 2)) * root)
+    least = np.linalg.pinv(rows, rcond=np.finfo(float).eps * rows.shape[1])
+    found = (least @ b.reshape(len(C), -1, 1))[..., 0]
+    return found[:, :3], found[:, 3:] if turning else np.zeros((len(C), 3))
 
 
 def _right_angles() -> list[Array]:
