@@ -5,7 +5,7 @@ from __future__ import annotations
 import gc
 import os
 import sys
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -27,6 +27,7 @@ from deltacal_gen.files.robot import Robot, kept_robot, robot_from_dict
 from deltacal_gen.identification.accuracy import check_poses, circle
 from deltacal_gen.instrument.kind import Instrument
 from deltacal_gen.instrument.kinds import kind_of
+from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.machine.registry import Machine, load_mechanism
 from deltacal_gen.machine.rotation import cayley_vector, from_vector, to_vector
 from deltacal_gen.machine.values import Measurement, Recording
@@ -86,6 +87,16 @@ def run(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> 
         return code, out.out, " ".join(out.err.split())
 
     return call
+
+
+@pytest.fixture(scope="module")
+def compiled() -> Iterator[None]:
+    """Compute with compiled kernels: no single small recording pays for loading them, a module of many does.
+
+    What NumPy's give is the same to rounding, which the tests of kernels, of back ends and of frozen answers hold.
+    """
+    with using(Backend.COMPILED):
+        yield
 
 
 @pytest.fixture(scope="session")

@@ -33,6 +33,8 @@ from tests.benchmarks.arrival_problems import near_a_line
 from tests.conftest import scattered, wanted
 from tests.left_out import diagnosis, machine, record
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 LINKS = ((50, -90, 480, 0), (500, 0, 0, -90), (0, 90, 50, 90), (0, -90, 550, 0), (0, 90, 0, 0), (0, 0, 100, 0))
 SIGMA = 0.002  # mm
 YIELDS = 0.01  # mm per N: of a slide

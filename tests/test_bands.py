@@ -28,6 +28,8 @@ from deltacal_gen.use.bands import named, predicted_bands
 from deltacal_gen.use.prediction import place_of, predict
 from tests.left_out import channels, effect, machine, record
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 FRAME = (np.array([0.1, -0.2, 0.9]), np.array([900.0, -500.0, 1200.0]))
 SIGMA = 0.01  # mm
 POSES, NEW, MACHINES = 50, 25, 12

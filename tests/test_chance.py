@@ -23,6 +23,8 @@ from tests.benchmarks.honesty_chance import geometry_of
 from tests.benchmarks.honesty_nulls import ROBOT, null
 from tests.left_out import DELTA, channels, effect, machine, record
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 NULLS = 150
 KOLMOGOROV = 1.63 / NULLS**0.5  # exceeded by one set of uniform numbers in a hundred
 

@@ -19,6 +19,8 @@ from deltacal_gen.machine.values import Measurement, Recording
 from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.units import DEG
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 NOISE = 0.02  # mm
 RATE, OFFSET = 40e-6, {"a": 0.7342, "b": -0.2215}
 JOINT_STEP, STEP = 0.008, 0.013  # s

@@ -33,6 +33,8 @@ from tests.every_effect import ARM, LIFT, PRINTER, chain
 from tests.every_effect import joints as stand
 from tests.left_out import FRAME, machine, named
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 SPRINGS = ("joint_compliance", "saturating_compliance")  # the simple one, and what becomes of it
 N, SIGMA = 150, 0.01  # poses, mm
 BETWEEN = 40.0  # s: of two readings, at most

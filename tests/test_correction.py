@@ -29,6 +29,8 @@ from tests.conftest import plausible
 from tests.left_out import DELTA, FRAME, SIGMA, channels, diagnosis, machine, record
 from tests.test_linear_delta import PRINTER, grid, recording
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 POSES = 140
 LIMB = 1  # the second
 

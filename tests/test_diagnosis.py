@@ -25,6 +25,8 @@ from deltacal_gen.physics.terms import effect_names
 from tests.conftest import plausible
 from tests.left_out import DELTA, POSES, SIGMA, channels, diagnosis, effect, machine, named, record
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 WIDTH = 0.02  # deg of backlash: 0.12 mm at the platform, twelve times the noise
 NUMBER = (int, float)
 MOVED = channels(70, "motion", seed=3)

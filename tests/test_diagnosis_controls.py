@@ -14,6 +14,8 @@ from deltacal_gen.files.robot import Robot
 from deltacal_gen.machine.values import Recording
 from tests.left_out import POSES, SIGMA, channels, diagnosis, effect, machine, named, record
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 Make = Callable[..., Recording]
 BACKLASH = effect("backlash", (2,), 0.02)
 TOOLS = np.array([[0.0, 0.0, 0.0], [40.0, 0.0, -30.0], [-20.0, 35.0, 0.0]])

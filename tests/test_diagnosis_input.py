@@ -22,6 +22,8 @@ from tests.conftest import Run
 from tests.left_out import POSES, channels, effect, machine, record
 from tests.test_law_language import law
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 BACKLASH = effect("backlash", (2,), 0.02)
 LOADED = ("joint_compliance", "payload_deflection", "proximal_bending", "distal_compliance", "base_compliance")
 Edit = Callable[[list[str], int], None]

@@ -32,6 +32,8 @@ from deltacal_gen.results.diagnosis import Channel, Location, RegionOf
 from tests.conftest import plausible
 from tests.left_out import DELTA, channels, diagnosis, effect, machine, named, record
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 LIGHT = machine(masses={"proximal": 0.3}, joints={"limits_deg": [[-60.0, 80.0]] * 3})
 NEAR = machine(masses={"proximal": 0.3}, workspace={"radius": 250.0, "height": 400.0})  # where rods hang straight
 COMPLIANT = effect("joint_compliance", (1, 2, 3), 0.011)  # deg/Nm

@@ -26,6 +26,8 @@ from deltacal_gen.results.diagnosis import Diagnosis
 from tests.left_out import SIGMA, channels, effect, machine, record
 from tests.test_law_language import LIMB, law
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 N = 90
 OF = ("temp", "time", "payload")
 ROBOT = machine()

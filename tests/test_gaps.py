@@ -18,6 +18,8 @@ from deltacal_gen.physics.terms import Term, blank, load_effect, partial
 from deltacal_gen.results.diagnosis import Diagnosis
 from tests.left_out import channels, effect, machine, record
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 N, FROM = 60, 35  # rows, and from which on the temperature was recorded
 ROBOT = machine()
 BEFORE = 26.0  # degC: what nobody wrote down

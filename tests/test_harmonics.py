@@ -21,6 +21,8 @@ from deltacal_gen.pages import report
 from deltacal_gen.physics.terms import Term
 from tests.left_out import DELTA, channels, diagnosis, effect, machine, record
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 ORDERS = tuple(float(k) for k in range(1, 101))
 WAVE = "transmission_eccentricity"
 

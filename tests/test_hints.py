@@ -26,6 +26,8 @@ from deltacal_gen.physics.terms import blank
 from deltacal_gen.results.diagnosis import Diagnosis, Hint, Verdict
 from tests.left_out import channels, effect, machine, record
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 WEAK = 2  # seed of a recording on which play stays short of proof
 
 

@@ -24,6 +24,8 @@ from deltacal_gen.physics.terms import Term
 from tests.left_out import DELTA, SIGMA, channels, machine, record
 from tests.test_law_language import LIMB, law
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 N = 90
 ROBOT = machine()
 OF = {

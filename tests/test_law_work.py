@@ -22,6 +22,8 @@ from deltacal_gen.physics import grammar
 from deltacal_gen.physics.body import Body
 from tests.test_concealed_effects import ARM, SIGMA, Case, chain, record
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 SOFT = (
     Case("arm", "joint_compliance", (2, 3), {"compliance": 0.004}),
     Case("arm", "joint_tilt_compliance", (4,), {"compliance_x": 4e-3, "compliance_y": 5e-3}),

@@ -27,6 +27,8 @@ from tests.left_out import channels, effect, machine, record
 from tests.test_law_language import LIMB, law
 from tests.test_linear_delta import PRINTER, grid, recording
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 N, ROBOT = 60, machine()
 FORMULA, SIZE, FROM = "c1*Max(payload - c2, 0)", 3e-4, 1.5
 

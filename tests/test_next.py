@@ -24,6 +24,8 @@ from tests.conftest import PROTOTYPE, Run
 from tests.left_out import DELTA, channels, effect, machine, record
 from tests.test_law_language import law
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 NEAR = machine(masses={"proximal": 0.3}, workspace={"radius": 250.0, "height": 400.0})
 LIMITED = robot_from_dict(
     {

@@ -22,6 +22,8 @@ from deltacal_gen.physics.terms import Term
 from tests.benchmarks.honesty_nulls import ROBOT, SIGMA, null, rounded
 from tests.left_out import channels, effect, record
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 ANGLES = np.random.default_rng(1).uniform(-60.0, 90.0, 100)
 
 

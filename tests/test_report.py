@@ -17,6 +17,8 @@ from deltacal_gen.pages.left import Left
 from deltacal_gen.physics.terms import effect_names, load_effect
 from deltacal_gen.results.reader import read_result
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 
 @pytest.fixture(scope="module")
 def diagnosed() -> dict[str, Any]:

@@ -18,6 +18,8 @@ from deltacal_gen.machine.values import Recording
 from tests.benchmarks.honesty_nulls import drawn
 from tests.left_out import DELTA, SIGMA, machine, record
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 N, JOINT = 100, 2
 ROBOT = machine()
 

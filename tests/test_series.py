@@ -22,6 +22,8 @@ from tests.benchmarks.honesty_nulls import ROBOT, SIGMA, drawn, null
 from tests.conftest import plausible
 from tests.left_out import DELTA, channels, effect, machine, record
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 ORDER = np.array([3, 0, 1, 4, 2, 6, 5])
 GAP = np.array([np.inf, 1, 3, 1, np.inf, 2, 1])  # two set-ups
 

@@ -23,6 +23,8 @@ from deltacal_gen.physics.terms import Term, blank, load_effect
 from tests.conftest import wanted
 from tests.left_out import FRAME
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 POSES, NOISE = 120, 0.02
 SMALL = 0.004  # mm: what a tilting axis moves the readings by, a fifth of the noise
 
