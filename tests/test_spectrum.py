@@ -80,8 +80,18 @@ def found_in(at: Fit) -> Spectrum | None:
 
 
 @pytest.fixture(scope="module")
-def found(tmp_path_factory: pytest.TempPathFactory) -> Spectrum:
-    found = found_in(geometry(taken(tmp_path_factory.mktemp("arm"), "poses", NOISE, concealed=True, seed=1)))
+def recorded(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return taken(tmp_path_factory.mktemp("arm"), "poses", NOISE, concealed=True, seed=1)
+
+
+@pytest.fixture(scope="module")
+def at(recorded: Path) -> Fit:
+    return geometry(recorded)
+
+
+@pytest.fixture(scope="module")
+def found(at: Fit) -> Spectrum:
+    found = found_in(at)
     assert found is not None
     return found
 
@@ -123,9 +133,8 @@ def test_the_orders_that_stand_out_are_those_that_are_there(found: Spectrum) -> 
         assert [s.amplitude / s.std for s in told] == sorted((s.amplitude / s.std for s in told), reverse=True)
 
 
-def test_they_are_told_in_the_answer_in_words_and_on_the_page(found: Spectrum, tmp_path: Path) -> None:
-    path = taken(tmp_path, "poses", NOISE, concealed=True, seed=1)
-    answer = commands.diagnose(tmp_path / "robot.toml", path)
+def test_they_are_told_in_the_answer_in_words_and_on_the_page(recorded: Path) -> None:
+    answer = commands.diagnose(recorded.parent / "robot.toml", recorded)
     [many] = [e for e in answer.effects if e.orders is not None]
     assert many.standing_out
     assert {s.limb for s in many.standing_out} == set(JOINTS)
@@ -151,24 +160,21 @@ def test_what_is_fitted_beside_is_as_unknown_as_the_orders_leave_it(tmp_path: Pa
     assert np.mean(np.abs(off / stated) < 2) >= 0.85
 
 
-def test_rows_that_hang_together_count_by_their_effective_number(tmp_path: Path) -> None:
-    at = geometry(taken(tmp_path, "poses", NOISE, concealed=True, seed=1))
+def test_rows_that_hang_together_count_by_their_effective_number(at: Fit, found: Spectrum) -> None:
     series = Series.of(at.problem.readings, at.problem.recording)
     assert series is not None
     walking = dataclasses.replace(
         at, repeats=dataclasses.replace(at.repeats, series=dataclasses.replace(series, rho=0.3))
     )
-    plain, found = found_in(at), found_in(walking)
-    assert plain is not None
-    assert found is not None
-    assert found.limbs == plain.limbs
-    for joint in plain.limbs:  # the orders are what they were, and less sure
-        assert found.rms[joint] == pytest.approx(plain.rms[joint], rel=0.2)
-        assert found.std[joint] > 1.05 * plain.std[joint]
+    less_sure = found_in(walking)
+    assert less_sure is not None
+    assert less_sure.limbs == found.limbs
+    for joint in found.limbs:  # the orders are what they were, and less sure
+        assert less_sure.rms[joint] == pytest.approx(found.rms[joint], rel=0.2)
+        assert less_sure.std[joint] > 1.05 * found.std[joint]
 
 
-def test_a_search_leaves_unknown_orders_what_they_may_take(found: Spectrum, tmp_path: Path) -> None:
-    at = geometry(taken(tmp_path, "poses", NOISE, concealed=True, seed=1))
+def test_a_search_leaves_unknown_orders_what_they_may_take(at: Fit, found: Spectrum) -> None:
     fifth = at.problem.body.blank(wave(), JOINTS, (5.0,))
     known, unknown = dataclasses.replace(at.problem, held=found.terms), found.held_in(at.problem)
     left = []
