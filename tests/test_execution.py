@@ -14,7 +14,7 @@ from typing import Any
 
 import pytest
 
-from deltacal_gen import InputError
+from deltacal_gen import InputError, execution
 from deltacal_gen.execution import AHEAD, HELD, Task, content_key, run
 
 PATIENCE_S = 300.0  # before a test that waits for something gives up: no measure of speed
@@ -212,8 +212,9 @@ def test_workers_end_with_the_process_that_has_started_them(tmp_path: Path, stop
 # ------------------------------------------------------------------------------------------------------------ a cluster
 
 
-def test_an_address_without_a_scheduler_is_said(tmp_path: Path) -> None:
+def test_an_address_without_a_scheduler_is_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     pytest.importorskip("distributed", reason="Dask is not installed")
+    monkeypatch.setattr(execution, "CONNECT_S", 0.5)  # nobody answers, however long it is waited
     list(run(square, numbered(2), total=2, workers=1, directory=tmp_path))
     with pytest.raises(InputError, match=r"no scheduler answers at tcp://127\.0\.0\.1:9"):
         list(run(square, numbered(4), total=4, cluster="tcp://127.0.0.1:9", directory=tmp_path))
