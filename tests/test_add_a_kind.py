@@ -109,7 +109,8 @@ def test_every_command_takes_it(added: Checkout) -> None:
     result = json.loads((folder / "result.json").read_text(encoding="utf-8"))
     assert result["readings"]["kind"] == result["instrument"]["kind"] == name
     assert result["readings"]["scalars"] == FITTED * len(case.columns)
-    assert np.load(folder / "H.npz")["H"].shape[0] == FITTED * len(case.columns)
+    with np.load(folder / "H.npz") as file:
+        assert file["H"].shape[0] == FITTED * len(case.columns)
     assert json.loads(said["validate"])["rms_mm"] < 2 * NOISE
     assert json.loads((folder / "diagnosis.json").read_text(encoding="utf-8"))["effects"] == []
     read, told = ((folder / file).read_text(encoding="utf-8").splitlines() for file in ("new.csv", "told.csv"))

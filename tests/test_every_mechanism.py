@@ -75,7 +75,8 @@ def test_from_drawing_to_corrected_commands(name: str, run: Any, tmp_path: Path)
     assert model in described.models
     assert found["heldout_rms_mm"] < found["before_rms_mm"] / (1 if simplified else 20)
     run("matrix", robot, recording, "--model", model, "-o", tmp_path / "H.npz")
-    H = np.load(tmp_path / "H.npz")
+    with np.load(tmp_path / "H.npz") as file:
+        H = dict(file)
     assert H["H"].shape == (len(H["r"]), len(H["names"]))
     assert list(H["names"]) == [p["name"] for p in found["parameters"] if p["status"] != "fixed"]
     assert "chosen" in run("plan", robot, "--model", model, "-o", targets)

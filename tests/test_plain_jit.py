@@ -100,7 +100,8 @@ def test_kernels_are_the_same_by_numba_alone(name: str, tmp_path: Path) -> None:
             environment["NUMBA_CACHE_DIR"] = str(tmp_path / "cache")
         command = [sys.executable, "-m", "tests.test_plain_jit", name, str(out)]
         subprocess.run(command, cwd=ROOT, env=environment, check=True)
-        results.append(np.load(out))
+        with np.load(out) as file:
+            results.append(dict(file))
     own, numba = results
     assert sorted(own) == sorted(numba)
     assert "inverse" not in own or (own["inverse"] == 0).all()

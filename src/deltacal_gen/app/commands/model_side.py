@@ -7,6 +7,7 @@ import os
 import subprocess
 import sys
 from collections.abc import Callable, Sequence
+from importlib.util import find_spec
 from pathlib import Path
 
 from deltacal_gen.app.commands.common import Progress, Source, check_output, silent
@@ -155,7 +156,7 @@ def _deriving(elsewhere: str) -> Path:
     root = checkout()
     if root is None:
         raise UsageError(elsewhere)
-    if subprocess.run([sys.executable, "-c", "import sympy, jinja2"], capture_output=True).returncode:
+    if not all(map(find_spec, ("sympy", "jinja2"))):
         raise UsageError("deriving needs SymPy and Jinja: pip install 'sympy>=1.14,<1.15' jinja2.")
     return root
 
