@@ -283,7 +283,7 @@ class _Known(Movement):
     rates: tuple[BSpline, ...]
 
     def __call__(self, time: Array, order: int = 0) -> Array:
-        return np.asarray(self.rates[order - 1](time) if order else self.spline(time))
+        return np.asarray(self.rates[order - 1](time)) if order else super().__call__(time)
 
 
 def two_clocks(path: Path, machine: Machine, *, need_measured: bool = True, **how: Any) -> TwoClocks | None:
@@ -401,7 +401,7 @@ def _known(joints: trajectories.Trajectories, found: trajectories.Motion) -> Ite
             yield None
         else:
             place, *rates = (make_interp_spline(time, each, CUBIC) for each in states)
-            yield _Known(time[0], time[-1], place, tuple(rates))
+            yield _Known(time[0], time[-1], (place,), tuple(rates))
 
 
 def _with_joints(readings: Rows, joints: trajectories.Trajectories) -> Rows:

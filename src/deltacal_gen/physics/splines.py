@@ -7,6 +7,7 @@ derivatives by no more than its noise does.
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
 DEGREE = 5
 FINEST = 4.0  # samples between two knots, at least
 COARSEST = 1.0  # s between them, at most
+SHIFTS = 0.0, 0.5  # of the spacing, of the knots of splines whose mean is taken
 RATIO = 2**0.5  # between spacings that are looked at
 LEAST = 2 * (DEGREE + 1)  # samples of a piece
 AS_MUCH = 0.1  # of the motion of the series that moves most
@@ -49,11 +51,11 @@ class Samples:
 
 @dataclass(frozen=True, eq=False)
 class Path:
-    """One movement as a spline, from its first sample to its last [s]."""
+    """One movement as the mean of splines, from its first sample to its last [s]."""
 
     start: float
     end: float
-    spline: BSpline
+    splines: tuple[BSpline, ...]
 
     def covers(self, time: Array) -> np.ndarray:
         """Tell which times lie within the movement."""
@@ -61,7 +63,7 @@ class Path:
 
     def __call__(self, time: Array, order: int = 0) -> Array:
         """Return the series, or a derivative of it, at times (M,): (M, k)."""
-        return np.asarray(self.spline.derivative(order)(time) if order else self.spline(time))
+        return np.mean([each(time, nu=order) for each in self.splines], axis=0)
 
 
 def ordinary_step(time: Array, piece: np.ndarray) -> float:
@@ -79,12 +81,17 @@ def pieces_of(time: Array, run: np.ndarray) -> np.ndarray:
 
 
 def paths(given: Samples, spacing: float) -> list[Path | None]:
-    """Return each movement as a spline with knots `spacing` [s] apart; None of one that is too short."""
+    """Return each movement as splines with knots `spacing` [s] apart; None of one that is too short.
+
+    How well a spline meets a quick turn depends on where its knots happen to lie: it is the mean of two, the knots of
+    one halfway between those of the other (cycle spinning: Coifman, Donoho 1995).
+    """
     found: list[Path | None] = []
     for own in given.pieces:
-        time = given.time[own]
+        time, values = given.time[own], given.values[own]
         enough = len(own) >= LEAST
-        found.append(Path(time[0], time[-1], _fit(time, given.values[own], spacing)) if enough else None)
+        each = (_fit(time, values, spacing, shift) for shift in SHIFTS)
+        found.append(Path(time[0], time[-1], tuple(each)) if enough else None)
     return found
 
 
@@ -98,15 +105,16 @@ def smooth(given: Samples, spacing: float, orders: int) -> Array:
     return out
 
 
-def _fit(time: Array, values: Array, spacing: float) -> BSpline:
-    """Return the spline of one piece, its knots as near to a spacing [s] as the piece allows."""
+def _fit(time: Array, values: Array, spacing: float, shift: float) -> BSpline:
+    """Return the spline of one piece, its knots as near to a spacing [s] as the piece allows, `shift` of it later."""
     from scipy.interpolate import make_lsq_spline  # what stands still does without
 
     parts = int(max(1, min(round((time[-1] - time[0]) / spacing), (len(time) - DEGREE - 1) // 2)))
-    inner = np.linspace(time[0], time[-1], parts + 1)[1:-1]
+    places = (np.arange(0 if shift else 1, parts) + shift) / parts
+    inner = time[0] + places * (time[-1] - time[0])
     counts = np.histogram(time, [time[0], *inner, time[-1]])[0]
     if (counts == 0).any():  # samples so uneven that an interval holds none
-        inner = np.quantile(time, np.linspace(0, 1, parts + 1)[1:-1])
+        inner = np.quantile(time, places)
     knots = np.concatenate([[time[0]] * (DEGREE + 1), inner, [time[-1]] * (DEGREE + 1)])
     return make_lsq_spline(time, values, knots, DEGREE)
 
@@ -177,7 +185,8 @@ def moving(values: Array, units: Sequence[str]) -> np.ndarray:
 
 def noise(values: Array, fitted: Array, step: float, spacing: float) -> Array:
     """Return the noise of single samples (k,), from what a spline of some spacing leaves."""
-    left = 1.0 - min(0.9, step / spacing)  # degrees of freedom that it leaves, of one
+    own = min(0.9, step / spacing)
+    left = max(1.0 - 2 * own + unit_noise(step, spacing, 0) ** 2, 0.1)  # of the square of a sample's own
     return np.asarray(np.sqrt(np.nanmean((values - fitted) ** 2, axis=0) / left))
 
 
@@ -186,11 +195,15 @@ def unit_noise(step: float, spacing: float, order: int) -> float:
     from scipy.interpolate import BSpline
 
     per = max(1, round(spacing / step))
-    inner = np.arange(-DEGREE, WINDOW + DEGREE + 1) * per * step
     time = np.arange(WINDOW * per) * step
-    rows = BSpline.design_matrix(time, inner, DEGREE).toarray()
-    columns = rows.shape[1]
-    slopes = BSpline(inner, np.eye(columns), DEGREE).derivative(order)(time) if order else rows
-    middle = slopes[len(time) // 2 - per // 2 : len(time) // 2 + per // 2 + 1]
-    inverse = np.linalg.pinv(rows.T @ rows)
-    return float(np.sqrt(np.mean(np.sum((middle @ inverse) * middle, axis=1))))
+    middle = time[len(time) // 2 - per // 2 : len(time) // 2 + per // 2 + 1]
+    every, taken = [], []  # values of basis functions, and what each of these counts for
+    for shift in SHIFTS:
+        knots = (np.arange(-DEGREE - 1, WINDOW + DEGREE + 1) + shift) * per * step
+        rows = BSpline.design_matrix(time, knots, DEGREE)
+        slopes = BSpline(knots, np.eye(rows.shape[1]), DEGREE)(middle, nu=order)
+        every.append(rows)
+        taken.append(slopes @ np.linalg.pinv((rows.T @ rows).toarray()) / len(SHIFTS))
+    pairs = itertools.product(zip(every, taken, strict=True), repeat=2)
+    squares = sum(((a @ (A.T @ B).toarray()) * b).sum(axis=1) for (A, a), (B, b) in pairs)
+    return float(np.sqrt(np.mean(squares)))
