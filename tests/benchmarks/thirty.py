@@ -35,6 +35,7 @@ STEERING = {
     "estimation.steps": ("EASE", "WEAK", "FIRST", "TRUE"),
     "estimation.fit": ("CONVERGED", "ESTIMATED_AT"),
     "physics.following": ("STEP",),
+    "identification.checks": ("MOST_TRIED",),
     "identification.noise": ("PROVEN", "MISTAKEN", "LEAST_EXCESS"),
     "identification.repeats": ("ENOUGH", "MOST_TAKEN", "FEW_LEVELS", "ALIKE"),
     "identification.rounding": ("TOLD", "FEWEST"),

@@ -413,8 +413,7 @@ def _elsewhere(found: Diagnosed) -> str:
         for n in found.effects
         for limb, others in n.elsewhere.items()
     ]
-    move = "poses in which the joints between them turn" if found.robot.links else "other poses"
-    return f" These poses do not tell {'; '.join(told)}: {move} would." if told else ""
+    return f" These poses do not tell {'; '.join(told)}: poses in which other joints turn, too, would." if told else ""
 
 
 def _odds(lead: float) -> str:
