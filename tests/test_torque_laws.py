@@ -51,7 +51,7 @@ def on_third(curve: Curve) -> Callable[[np.ndarray, np.ndarray], np.ndarray]:
 def found(request: Any, tmp_path_factory: Any) -> tuple[str, Path, Any]:
     """Return the name of a curve, a recording that has it, and its diagnosis."""
     folder = tmp_path_factory.mktemp("law")
-    path = written(folder, on_third(CURVES[request.param][0]), seed=3)
+    path = written(folder, on_third(CURVES[request.param][0]), seed=3, seconds=13.0)
     return request.param, path, dc.diagnose(folder / "robot.toml", path)
 
 

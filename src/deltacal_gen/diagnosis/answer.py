@@ -163,6 +163,7 @@ def result_of(found: Diagnosed) -> Diagnosis:
         unit_mm=unit and unit[1],
         parameters=unknowns.parameters or None,
         turned=found.turned or None,
+        motion=final.problem.recording.motion,
         laws=told(found.laws, final),
     )
 

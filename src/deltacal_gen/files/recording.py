@@ -30,6 +30,7 @@ from deltacal_gen.files.columns import (
     is_channel,
 )
 from deltacal_gen.files.dialect import LOOKED_AT
+from deltacal_gen.files.logged import put_right
 from deltacal_gen.files.rows import Rows, csv_blocks, number_of, parquet_blocks, read_csv, read_table
 from deltacal_gen.files.sidecar import Sidecar, measurement_of, read_sidecar
 from deltacal_gen.files.toml import TomlFile
@@ -255,7 +256,9 @@ def _recording(
         check_repeats(recording, rows)
     if need_measured and recording.measurement.zero == "incremental" and _has_home(mechanism):
         check_home(recording)
-    return _with_vectors(recording)
+    label = rows.labels("run")
+    run = [f"set-up '{setup_names[k]}'" for k in setup] if label is None else [f"run '{own}'" for own in label]
+    return put_right(_with_vectors(recording), run, read=need_measured)
 
 
 def _with_vectors(recording: Recording) -> Recording:

@@ -189,6 +189,7 @@ def result_of(found: Identification) -> Result:
         unit=unit and unit[0],
         unit_mm=unit and unit[1],
         doubts=(*doubts(final), *doubted(problem, final)) or None,
+        motion=recording.motion,
     )
 
 

@@ -7,8 +7,8 @@ import numpy as np
 from deltacal_gen.estimation.ends import points_of
 from deltacal_gen.estimation.series import sequence
 from deltacal_gen.instrument.kind import Readings
+from deltacal_gen.instrument.sampled import at_rate, runs_of
 from deltacal_gen.machine.values import Recording, numbered
-from deltacal_gen.physics.motion import at_rate, runs_of
 
 FOLDS = 5
 LEAST_RUNS = 3  # of a recording in motion, so that whole runs are held out

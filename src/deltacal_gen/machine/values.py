@@ -23,6 +23,8 @@ from deltacal_gen.units import DEG
 if TYPE_CHECKING:
     import pandas as pd
 
+    from deltacal_gen.results.parts import SeriesMade
+
 POSITION = ("x_mm", "y_mm", "z_mm")
 TOOL_ERRORS = ("tx", "ty", "tz")  # of machines that turn what they carry
 ROTATION = ("rx_deg", "ry_deg", "rz_deg")
@@ -346,6 +348,10 @@ class Recording:
         Rows between whose points a distance was measured, the distance [mm], its line in the file.
     doubts : dict of str
         Channels that were set aside, and why.
+    repairs : tuple of str
+        What was put right or left out of samples in motion, with the line.
+    motion : SeriesMade, optional
+        How channels were made of joints in motion, where they were.
     begun : float, optional
         From when effects count the time [s], of another recording that this one is held against; its own: `origin`.
     """
@@ -370,6 +376,8 @@ class Recording:
     pair_measured: np.ndarray | None = None
     pair_line: np.ndarray | None = None
     doubts: dict[str, str] = dataclasses.field(default_factory=dict)
+    repairs: tuple[str, ...] = ()
+    motion: SeriesMade | None = None
     begun: float | None = None
 
     def __repr__(self) -> str:

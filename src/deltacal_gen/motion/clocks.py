@@ -20,7 +20,7 @@ from deltacal_gen.files.recording import recording_of_rows
 from deltacal_gen.files.rows import Rows, read_table
 from deltacal_gen.files.sidecar import read_sidecar
 from deltacal_gen.motion import trajectories
-from deltacal_gen.motion.derivatives import motion, removed, what_was_done
+from deltacal_gen.motion.derivatives import motion
 from deltacal_gen.physics import splines
 from deltacal_gen.physics.motion import REVERSED, approach
 from deltacal_gen.physics.splines import Path as Movement
@@ -209,7 +209,7 @@ class TwoClocks(Clocked):
     @property
     def text(self) -> str:
         """What was done to the joints, in words."""
-        return what_was_done("joints", self.spacing)
+        return splines.what_was_done("joints", self.spacing)
 
     def at(self, clock: Clock, *, need_joints: bool = False) -> Recording:
         """Return the readings with the joints and their channels as they were then.
@@ -316,7 +316,7 @@ def two_clocks(path: Path, machine: Machine, *, need_measured: bool = True, **ho
         movements=_by_run(joints, splines.paths(samples, spacing)),
         joints=joints,
         spacing=spacing,
-        removed=removed(samples, splines.smooth(samples, spacing, 0)[0], units),
+        removed=splines.removed(samples, splines.smooth(samples, spacing, 0)[0], units),
     )
 
 

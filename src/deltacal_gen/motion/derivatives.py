@@ -2,20 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import TYPE_CHECKING
-
 import numpy as np
 
 from deltacal_gen.errors import InputError
 from deltacal_gen.motion.trajectories import Motion, Trajectories
 from deltacal_gen.physics import splines
-from deltacal_gen.physics.splines import DEGREE, Samples
+from deltacal_gen.physics.splines import Samples
 from deltacal_gen.states import TIME
 from deltacal_gen.units import of_joints
-
-if TYPE_CHECKING:
-    from deltacal_gen.machine.registry import Array
 
 SLOWEST = 1.0  # s between samples of which derivatives are made: it is mostly a time in milliseconds
 LOOSE = 2.0  # knots: nearer to an end, the noise of an acceleration is up to fifty times that in the middle
@@ -58,22 +52,6 @@ def motion(given: Trajectories, cutoff: float | None = None) -> Motion:
         np.outer(per, sigma),
         ~splines.inside(samples, LOOSE * spacing),
         0.5 / spacing,
-        removed(samples, fitted[0], units),
-        what_was_done(what, spacing),
-    )
-
-
-def removed(given: Samples, fitted: Array, units: Sequence[str]) -> float:
-    """Return the largest part of a series' signal, rms of its own variation, that the low-pass takes away."""
-    lost = np.sqrt(np.nanmean((given.values - fitted) ** 2, axis=0)) / np.maximum(
-        np.nanstd(given.values, axis=0), 1e-300
-    )
-    return float(lost[splines.moving(given.values, units)].max(initial=0.0))
-
-
-def what_was_done(what: str, spacing: float) -> str:
-    """Return in words how derivatives were made of `what`, with knots `spacing` [s] apart."""
-    return (
-        f"splines of degree {DEGREE} through the {what}, least squares, a knot every {1000 * spacing:.3g} ms: no "
-        f"delay, cut-off {0.5 / spacing:.3g} Hz, chosen by the {what} alone"
+        splines.removed(samples, fitted[0], units),
+        splines.what_was_done(what, spacing),
     )

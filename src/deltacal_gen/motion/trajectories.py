@@ -15,10 +15,10 @@ from typing import TYPE_CHECKING, Any, ClassVar, Literal
 import numpy as np
 
 from deltacal_gen.errors import InputError
+from deltacal_gen.files.logged import increasing, logged
 from deltacal_gen.files.rows import Rows, number_of, read_table
 from deltacal_gen.files.sidecar import Clocks, Noise
 from deltacal_gen.files.toml import Number, Table, TomlFile
-from deltacal_gen.motion.logged import logged
 from deltacal_gen.physics.proportion import LONGEST_SPIKE, out_of_proportion
 from deltacal_gen.physics.splines import ordinary_step, pieces_of
 from deltacal_gen.results.reader import KINDS_IN_MOTION
@@ -264,7 +264,9 @@ def trajectories(rows: Rows, machine: Machine, sidecar: Sidecar, *, need_measure
     labels = rows.labels("run", blank=False) or ["1"] * len(time)
     run_names = tuple(dict.fromkeys(labels))
     run = np.array([run_names.index(label) for label in labels])
-    kept, repairs = _increasing(rows, time, run, run_names)
+    _in_one_piece(rows, run, run_names)
+    again, repairs = increasing(rows.path, rows.line, time, run, [f"run '{name}'" for name in run_names])
+    kept = ~again
     repaired = set(rows.line[~kept].tolist())
     rows = _subset(rows, kept)
     unit, limbs = machine.joint_unit, machine.limbs
@@ -343,15 +345,8 @@ def _subset(rows: Rows, kept: np.ndarray) -> Rows:
     return dataclasses.replace(rows, columns=columns, line=rows.line[chosen])
 
 
-def _increasing(rows: Rows, time: Array, run: np.ndarray, names: tuple[str, ...]) -> tuple[np.ndarray, list[str]]:
-    """Return which rows stay (N,), those that repeat a time going, and what is said of it.
-
-    Raises
-    ------
-    InputError
-        Time goes backwards within a run, or a run is interrupted by another one.
-    """
-    kept, repairs = np.ones(len(time), dtype=bool), []
+def _in_one_piece(rows: Rows, run: np.ndarray, names: tuple[str, ...]) -> None:
+    """Raise an InputError where a run is interrupted by another one."""
     for code, name in enumerate(names):
         own = np.flatnonzero(run == code)
         if (np.diff(own) != 1).any():
@@ -362,21 +357,6 @@ def _increasing(rows: Rows, time: Array, run: np.ndarray, names: tuple[str, ...]
                 row=row,
                 column="run",
             )
-        steps = np.diff(time[own])
-        if (steps < 0).any():
-            row = int(own[1:][steps < 0][0])
-            raise rows.error(
-                f"time goes backwards within run '{name}': {time[row - 1]:g} s, then {time[row]:g} s.",
-                "Sort the rows, or give each uninterrupted movement a label of its own in the column 'run'.",
-                row=row,
-                column=TIME,
-            )
-        repeated = own[1:][steps == 0]
-        kept[repeated] = False
-        repairs += [
-            f"{rows.path}:{rows.line[k]}: the time of the row before once more; the row is left out" for k in repeated
-        ]
-    return kept, repairs
 
 
 def _read_columns(rows: Rows, machine: Machine, needed: bool) -> tuple[tuple[str, ...], tuple[str, ...]]:

@@ -7,86 +7,116 @@ the few samples of a short run, and where a motion turns within a few samples, b
 from __future__ import annotations
 
 import dataclasses
+from typing import NamedTuple
 
 import numpy as np
 
-from deltacal_gen.instrument.kinds import kind_of
+from deltacal_gen.errors import InputError
+from deltacal_gen.instrument.sampled import at_rate, runs_of
 from deltacal_gen.machine.registry import Array
-from deltacal_gen.machine.values import Recording, numbered
+from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics import splines
-from deltacal_gen.states import ACCELERATIONS, APPROACH, SPEEDS
+from deltacal_gen.results.parts import SeriesMade
+from deltacal_gen.states import ACCELERATIONS, APPROACH, SPEEDS, TIME
 from deltacal_gen.units import joint_factors, joint_names, of_joints
 
-QUICK = 0.2  # s between rows, at most, of samples in motion that no run tells: no machine comes to rest so often
-GOES_ON = 0.5  # of what joints go from row to row: what that differs by; of poses in any order it is the root of 3
+FEWEST = 3  # instants of a run: of fewer there is no acceleration
+RECORDED = "velocities and accelerations as recorded"
+TOO_SHORT = f"no velocities, accelerations or ways of approach: a run has fewer than {FEWEST} instants"
+DIFFERENCES = "central differences of the joints: no delay; splines would cut motions that turn within a few samples"
 REVERSED = 1e-4  # of a joint's range: way back that is a reversal, and no flutter of the reading
-
-
-def at_rate(recording: Recording) -> bool:
-    """Tell whether rows are samples of a motion: run by run, or quick and each going on as the one before it came.
-
-    Poses at which a machine was brought to rest are seconds apart, and in most plans each lies elsewhere.
-    """
-    time = recording.time_s
-    if time is None or recording.pairs is not None or not np.isfinite(time).all():
-        return False
-    if "run" in recording.channels or kind_of(recording.kind).in_motion:
-        return True
-    runs = runs_of(recording)
-    if any(len(rows) < splines.LEAST or np.diff(time[rows]).min() <= 0 for rows in runs):
-        return False
-    steps = [np.diff(recording.joints[rows], axis=0) for rows in runs]
-    on = sum(float(np.sum(np.diff(s, axis=0) ** 2)) for s in steps)
-    quick = float(np.median(np.concatenate([np.diff(time[rows]) for rows in runs]))) <= QUICK
-    return bool(quick and on < GOES_ON**2 * sum(float(np.sum(s**2)) for s in steps))
-
-
-def runs_of(recording: Recording) -> list[np.ndarray]:
-    """Return the rows of each run, or of each set-up where no runs are named."""
-    label = recording.channels.get("run", np.zeros(recording.n_rows))
-    run = numbered(np.column_stack([recording.setup, label]))
-    return [np.flatnonzero(run == k) for k in range(int(run.max(initial=-1)) + 1)]
 
 
 def motion_of(recording: Recording) -> dict[str, Array]:
     """Return columns (N,) that a recording with time lacks: ``approach1 ..., qd1_deg_s ..., qdd1_deg_s2 ...``.
 
-    Rows of one ``run`` (or set-up) follow each other. Nothing is made where the time does not increase within them.
-    A joint that begins a run where it ended the last one still stands as it then came.
+    Rows of one ``run`` (or set-up) follow each other; those of one time are of one instant. Nothing is made of runs of
+    fewer than three instants. A joint that begins a run where it ended the last one still stands as it then came.
+
+    Raises
+    ------
+    InputError
+        Time goes backwards within a run.
     """
+    return _made(recording)[0]
+
+
+def _made(recording: Recording) -> tuple[dict[str, Array], SeriesMade | None]:
+    """Return columns as `motion_of` does, and what was done; nothing where nothing is made."""
     time, joints = recording.time_s, recording.joints
     if time is None or not np.isfinite(time).all():
-        return {}
+        return {}, None
     unit, count = recording.joint_unit, joints.shape[1]
-    runs = runs_of(recording)
-    if any(len(rows) < 3 or np.diff(time[rows]).min() <= 0 for rows in runs):
-        return {}
-    way, speed, rate = (np.zeros(joints.shape) for _ in range(3))
+    instant = _instants(recording, time)
+    runs = [np.unique(instant[rows]) for rows in runs_of(recording)]
+
+    def told(text: str, cutoff: float | None = None, removed: float = 0.0) -> SeriesMade:
+        return SeriesMade(cutoff_Hz=cutoff, removed=removed, text=text, repairs=recording.repairs)
+
+    if any(len(rows) < FEWEST for rows in runs):
+        return {}, told(TOO_SHORT)
     spline = _spline_derivatives(recording, runs)
-    ended = np.full((2, count), np.nan)  # where the run before left the joints, and which way they had come
-    for rows in runs:
-        if spline is None:
+    if spline is None:
+        speed, rate = np.zeros(joints.shape), np.zeros(joints.shape)
+        for rows in runs:
             speed[rows] = np.gradient(joints[rows], time[rows], axis=0)
             rate[rows] = np.gradient(speed[rows], time[rows], axis=0)
-        else:
-            speed[rows], rate[rows] = spline[:, rows]
+    else:
+        speed, rate = spline.derivatives
+    factors = np.array(joint_factors(unit, count))
+    made = {APPROACH: _ways(joints, runs), SPEEDS: speed / factors, ACCELERATIONS: rate / factors}
+    every = {n: c[instant] for p, v in made.items() for n, c in zip(joint_names(unit, count, p), v.T, strict=True)}
+    found = {name: column for name, column in every.items() if name not in recording.channels}
+    if not found.keys() & {*joint_names(unit, count, SPEEDS), *joint_names(unit, count, ACCELERATIONS)}:
+        return found, told(RECORDED)
+    if spline is None:
+        return found, told(DIFFERENCES)
+    return found, told(splines.what_was_done("joints", spline.spacing), 0.5 / spline.spacing, spline.removed)
+
+
+def _instants(recording: Recording, time: Array) -> np.ndarray:
+    """Return the first row (N,) of the same time in the run of each; raises InputError where time goes backwards."""
+    found = np.empty(recording.n_rows, dtype=int)
+    for rows in runs_of(recording):
+        steps = np.diff(time[rows], prepend=-np.inf)
+        if (steps < 0).any():
+            raise InputError(
+                "time goes backwards within a run.",
+                "Sort the rows, or give each uninterrupted movement a label of its own in the column 'run'.",
+                file=recording.path,
+                line=int(recording.line[rows[steps < 0][0]]),
+                column=TIME,
+            )
+        found[rows] = rows[steps > 0][np.cumsum(steps > 0) - 1]
+    return found
+
+
+def _ways(joints: Array, runs: list[np.ndarray]) -> Array:
+    """Return the way (N, n_q) that each joint came; one that begins a run where it ended the last came as it then did.
+
+    0: nobody knows.
+    """
+    way, count = np.zeros(joints.shape), joints.shape[1]
+    ended = np.full((2, count), np.nan)  # where the run before left the joints, and which way they had come
+    for rows in runs:
         for j in range(count):
             least = REVERSED * float(np.ptp(joints[:, j]))
             stayed = abs(joints[rows[0], j] - ended[0, j]) <= least
             way[rows, j] = approach(joints[rows, j], least, ended[1, j] if stayed else 0.0)
         ended = np.array([joints[rows[-1]], way[rows[-1]]])
-    factors = np.array(joint_factors(unit, count))
-    made = {
-        APPROACH: way,
-        SPEEDS: speed / factors,
-        ACCELERATIONS: rate / factors,
-    }
-    found = {n: column for p, v in made.items() for n, column in zip(joint_names(unit, count, p), v.T, strict=True)}
-    return {name: column for name, column in found.items() if name not in recording.channels}
+    return way
 
 
-def _spline_derivatives(recording: Recording, runs: list[np.ndarray]) -> Array | None:
-    """Return velocities and accelerations (2, N, n_q) by splines; None where movements are too short or too quick."""
+class _Smooth(NamedTuple):
+    """Velocities and accelerations (2, N, n_q) by splines with knots `spacing` [s] apart, and what these take away."""
+
+    derivatives: Array
+    spacing: float
+    removed: float
+
+
+def _spline_derivatives(recording: Recording, runs: list[np.ndarray]) -> _Smooth | None:
+    """Return velocities and accelerations by splines; None where movements are too short or too quick."""
     rows = np.concatenate(runs)
     run = np.repeat(np.arange(len(runs)), [len(own) for own in runs])
     assert recording.time_s is not None
@@ -99,8 +129,9 @@ def _spline_derivatives(recording: Recording, runs: list[np.ndarray]) -> Array |
     if not splines.resolves(samples, spacing, units):
         return None
     out = np.empty((2, *recording.joints.shape))
-    out[:, rows] = splines.smooth(samples, spacing, 2)[1:]
-    return out
+    fitted, *derivatives = splines.smooth(samples, spacing, 2)
+    out[:, rows] = derivatives
+    return _Smooth(out, spacing, splines.removed(samples, fitted, units))
 
 
 def approach(q: Array, least: float, way: float = 0.0) -> Array:
@@ -140,6 +171,7 @@ def with_motion(recording: Recording) -> Recording:
     """
     if recording.joints.shape[1] == 1 and recording.pairs is None:
         recording = dataclasses.replace(recording, channels=recording.channels | in_order(recording))
-    if not at_rate(recording):
+    if recording.motion is not None or not at_rate(recording):
         return recording
-    return dataclasses.replace(recording, channels=recording.channels | motion_of(recording))
+    columns, made = _made(recording)
+    return dataclasses.replace(recording, channels=recording.channels | columns, motion=made)

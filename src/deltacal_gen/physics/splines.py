@@ -207,3 +207,19 @@ def unit_noise(step: float, spacing: float, order: int) -> float:
     pairs = itertools.product(zip(every, taken, strict=True), repeat=2)
     squares = sum(((a @ (A.T @ B).toarray()) * b).sum(axis=1) for (A, a), (B, b) in pairs)
     return float(np.sqrt(np.mean(squares)))
+
+
+def removed(given: Samples, fitted: Array, units: Sequence[str]) -> float:
+    """Return the largest part of a series' signal, rms of its own variation, that the low-pass takes away."""
+    lost = np.sqrt(np.nanmean((given.values - fitted) ** 2, axis=0)) / np.maximum(
+        np.nanstd(given.values, axis=0), 1e-300
+    )
+    return float(lost[moving(given.values, units)].max(initial=0.0))
+
+
+def what_was_done(what: str, spacing: float) -> str:
+    """Return in words how derivatives were made of `what`, with knots `spacing` [s] apart."""
+    return (
+        f"splines of degree {DEGREE} through the {what}, least squares, a knot every {1000 * spacing:.3g} ms: no "
+        f"delay, cut-off {0.5 / spacing:.3g} Hz, chosen by the {what} alone"
+    )

@@ -410,7 +410,7 @@ class Diagnosis(Answer):
     """What is unknown of the instrument and has a name."""
     geometry: Geometry | None = None
     motion: SeriesMade | None = None
-    """Of a recording with two clocks."""
+    """Of a recording in motion."""
     made: Made | None = None
     turned: str | None = None
     """What would explain the most if the direction of approach counted the other way, in words; null for none."""

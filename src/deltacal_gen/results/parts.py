@@ -134,9 +134,10 @@ class EffectName(Value):
 
 
 class SeriesMade(Value):
-    """How joints that were sampled in time became known at any time."""
+    """What a recording in motion tells of its joints beside where they were, and how that was made."""
 
-    cutoff_Hz: float
+    cutoff_Hz: float | None
+    """Of the low-pass; null where there is none."""
     removed: float
     """Part of the joints' signal, rms of its variation, that the low-pass takes away."""
     text: str

@@ -215,7 +215,7 @@ class Result(Answer):
     never_seen: tuple[NeverSeen, ...] | None = None
     """Joints that stand where the readings of the diagnosis never were."""
     motion: SeriesMade | None = None
-    """Of a recording with two clocks."""
+    """Of a recording in motion."""
     doubts: tuple[str, ...] | None = None
     """Why the readings may be of another machine than the robot file's."""
     begun_s: float = 0.0

@@ -87,6 +87,7 @@ def validate(result: Result | Diagnosis, recording: Recording) -> Validation:
         unit_mm=unit and unit[1],
         gross_errors=tuple(found.line[wrong].tolist()) if found.kind.picked else None,
         outside_law=int(beyond_laws(result, recording).sum()) if has_law(result) else None,
+        repairs=recording.repairs or None,
         never_seen=never_seen(result.seen, calibrated_robot(result).joint_sign * recording.joints),
         iso9283=_repeated(found, left) if found.kind.positions else None,
         iso230=_of_axis(found, left, recording) if found.kind.positions else None,

@@ -114,10 +114,11 @@ def show_any(found: Any, shown: Callable[[Any], None]) -> None:
             screen.print(f"{found.outside_law} samples lie outside the range in which the law was found")
         if isinstance(found, MotionValidation) and (words := not_shown(found.unshown_by_joint)):
             screen.print(words)
-        for words in put_right(found.motion.repairs if isinstance(found, MotionModel) else found.repairs):
-            screen.print(escaped(words))
     else:
         shown(found)
+    told = getattr(found, "motion", None) or found
+    for words in put_right(getattr(told, "repairs", None) or ()):
+        screen.print(escaped(words))
 
 
 def number(value: float | None, digits: int = 4) -> str:
