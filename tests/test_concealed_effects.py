@@ -253,6 +253,7 @@ def test_a_search_that_goes_in_circles_ends(monkeypatch: pytest.MonkeyPatch) -> 
     monkeypatch.setattr(strategy, "refitted", lambda problem, at, terms: at)
     monkeypatch.setattr(strategy, "Search", lambda fit, terms: None)
     monkeypatch.setattr(strategy, "_revised", lambda problem, given: next(circle))
+    monkeypatch.setattr(strategy, "_stiffest", lambda problem, given: given)
     nothing: Any = None  # the problem, which only what is replaced here asks
     found, _ = strategy._chosen(nothing, search(one), progress=lambda text: None)
     assert found.effects == (one,)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import itertools
 import json
 from typing import Any
 
@@ -99,14 +100,12 @@ def test_of_joints_that_nothing_tells_apart_the_one_that_gives_least_is_named_an
     G, b = search.normal(search.where(every))
     size = np.linalg.norm(straight.problem.term_columns([every], *state_of(straight)), axis=(0, 1))
     for limb in (2, 3, 4):
-        part, *_ = stiffest(every, blank(TWIST, (limb,)), 0, (1, 2, 3, 4), G[None], b[None], size[None])
-        assert part.limbs == (2,)
-    found = search.best(TWIST)
-    assert found.term.limbs == (2,)
-    assert search.elsewhere(found.term) == {2: (3, 4)}
+        assert stiffest(every, blank(TWIST, (limb,)), G, b, size).limbs == (2,)
+        other = search.stiffer(blank(TWIST, (limb,)))
+        assert (other.limbs if other else (limb,)) == (2,)
+    assert search.elsewhere(blank(TWIST, (2,))) == {2: (3, 4)}
     hardens = search.best("saturating_compliance").term  # about a torque that is another at each joint
-    assert hardens.limbs == (2,)
-    assert search.elsewhere(hardens) == {2: (3, 4)}
+    assert {*hardens.limbs, *itertools.chain(*search.elsewhere(hardens).values())} == {2, 3, 4}
     factor = load_effect(TWIST).COEFFICIENTS[0][2]
     shoulder, wrist = (search.estimated(blank(TWIST, (i,))).values[0, 0] / factor for i in (2, 4))
     assert shoulder == pytest.approx(0.003, rel=0.2)

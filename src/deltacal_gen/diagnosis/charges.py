@@ -134,44 +134,31 @@ def best_part(every: Term, allowed: Sequence[object], forms: int, G: Array, b: A
     return found
 
 
-def stiffest(
-    every: Term, part: Term, k: int, allowed: Sequence[object], G: Array, b: Array, size: Array
-) -> tuple[Term, int, float]:
-    """Return the part and form with the smallest coefficients of those that explain as much, and what it earns more.
+def stiffest(every: Term, part: Term, G: Array, b: Array, size: Array) -> Term:
+    """Return the part with the smallest coefficients of those that explain as much.
 
     In each another limb stands for one. Where poses do not tell limbs apart, as of parallel joints of which one alone
-    turns, the one with the longest lever has to give least: machines are stiff. A size that is searched in steps is
-    another at another limb, and what lies between two steps of it is no difference.
+    turns, the one with the longest lever has to give least: machines are stiff.
 
     Parameters
     ----------
-    k : int
-        The form of the part.
-    G, b, size : (M, n, n), (M, n) and (M, n) array
-        Normal equations of each form's unit columns on all limbs, and the columns' lengths.
+    G, b, size : (n, n), (n,) and (n,) array
+        Normal equations of the form's unit columns on all limbs, and the columns' lengths.
     """
     own = list(carriers_of(part))
-    others = [c for c in allowed if c not in own]
+    others = [c for c in carriers_of(every) if c not in own]
     if not own or not others:
-        return part, k, 0.0
+        return part
     sets = [own, *([*own[:i], other, *own[i + 1 :]] for i in range(len(own)) for other in others)]
     at = np.array([_places(every, one) for one in sets])
-    some = np.arange(len(G)) if every.kernels.SIZED else np.array([k])
-    those, along = G[some][:, at[:, :, None], at[:, None, :]], b[some][:, at]
-    each = gains(those.reshape(-1, *those.shape[2:]), along.reshape(-1, along.shape[2])).reshape(along.shape[:2])
-    here = int(np.flatnonzero(some == k)[0])
-    gain = each[here, 0]
-    beside = [gain - each[m, 0] for m in (here - 1, here + 1) if 0 <= m < len(some)]
-    near = each > gain - max(AS_GOOD, BENT * gain, min((d for d in beside if d > 0), default=0.0))
-    near[:, 0] = np.arange(len(some)) == here
+    those, along = G[at[:, :, None], at[:, None, :]], b[at]
+    each = gains(those, along)
+    near = each > each[0] - max(AS_GOOD, BENT * float(each[0]))
+    near[0] = True
     inverse = np.linalg.pinv(those[near], rcond=SMALLEST, hermitian=True)
     seen = np.diagonal(those[near], axis1=1, axis2=2) > UNSEEN
-    values = (inverse @ along[near][:, :, None])[:, :, 0] / np.where(seen, size[some][:, at][near], np.inf)
-    which = int(np.argwhere(near)[np.argmin(np.linalg.norm(values, axis=1))][1])
-    if not which:
-        return part, k, 0.0
-    form = int(np.argmax(each[:, which]))
-    return _on(every, sets[which]), int(some[form]), float(each[form, which] - gain)
+    values = (inverse @ along[near][:, :, None])[:, :, 0] / np.where(seen, size[at][near], np.inf)
+    return _on(every, sets[int(np.flatnonzero(near)[np.argmin(np.linalg.norm(values, axis=1))])])
 
 
 def _greedy(

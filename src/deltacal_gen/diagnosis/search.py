@@ -290,6 +290,23 @@ class Search:
                 out[i] = alike
         return out
 
+    def stiffer(self, term: Term) -> Term | None:
+        """Return a form on other limbs that explains as much and gives less; None where there is none.
+
+        Of a size that lies between those that were searched none is looked for: it may be another at another limb.
+        """
+        forms, span = self._forms(term.effect), self._span(term.effect)
+        k = next((n for n, t in enumerate(forms) if key(t) == key(term)), None)
+        if k is None or not term.limbs:
+            return None
+        G, b = self.gram(term.effect)[k], self._reach[span].reshape(len(forms), -1)[k]
+        size = self._size[span].reshape(len(forms), -1)[k]
+        part = stiffest(forms[0], on_limbs(forms[0], term.limbs), G, b, size)
+        own = places(forms[0], part)
+        if set(part.limbs) == set(term.limbs) or self._beyond(part, G[np.ix_(own, own)], b[own], size[own]):
+            return None
+        return dataclasses.replace(part, constants=term.constants)
+
     def shift_by(self, effect: int, columns: Sequence[int]) -> Array:
         """Return by how much unit columns in the readings shift the coefficients of a fitted effect (n_c, n)."""
         own = self.fit.problem.coefficients(effect)
@@ -320,9 +337,7 @@ class Search:
         last = Found(forms[0], 0.0, -np.inf)
         while len(open_forms) and allowed is not None:
             part, k, gain, score = best_part(forms[0], allowed, len(forms), G[open_forms], b[open_forms])
-            part, k, more = stiffest(forms[0], part, k, allowed, G[open_forms], b[open_forms], size[open_forms])
             k = int(open_forms[k])
-            gain, score = gain + more, score + more
             form = dataclasses.replace(part, constants=forms[free[k]].constants)
             own = places(forms[0], part)
             cannot = self._beyond(form, G[k][np.ix_(own, own)], b[k, own], size[k, own])

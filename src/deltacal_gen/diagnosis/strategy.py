@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from deltacal_gen.diagnosis.charges import MARGIN, carriers_of, several
+from deltacal_gen.diagnosis.charges import AS_GOOD, MARGIN, carriers_of, several
 from deltacal_gen.diagnosis.evidence import evidence
 from deltacal_gen.diagnosis.refits import form, kind, place, refitted, std_of, terms_of
 from deltacal_gen.diagnosis.scattering import scattering
@@ -287,7 +287,7 @@ def _chosen(problem: Problem, search: Search, progress: Progress) -> tuple[Searc
         given_up.update({*map(kind, terms_of(better))} - {*map(kind, terms_of(search.fit))})
         if search.effects == named:
             break  # it did not hold
-    return search, considered
+    return _stiffest(problem, search), considered
 
 
 def _exchanged(problem: Problem, search: Search) -> Search:
@@ -442,6 +442,24 @@ def _possible(own: Term, std: Array, problem: Problem) -> Term | None:
     """Return an effect on the limbs where its size can be, None where it can on none; itself where it can on all."""
     cannot = beyond(own, std, problem.recording.joint_unit)
     return without_rows(own, [c.row for c in cannot]) if cannot else own
+
+
+def _stiffest(problem: Problem, search: Search) -> Search:
+    """Return the search with effects at the limbs that give least, of those that nothing tells apart beside all others.
+
+    Not before: what is not found yet may tell them apart.
+    """
+    for i in range(len(terms_of(search.fit))):
+        terms = terms_of(search.fit)
+        if (other := search.freed(i).stiffer(terms[i])) is None:
+            continue
+        tried = refitted(problem, search.fit, [*terms[:i], other, *terms[i + 1 :]])
+        if tried is None:
+            continue
+        worse = 2 * problem.readings.n_scalars * float(np.log(tried.sigma[0] / search.fit.sigma[0]))
+        if worse < AS_GOOD:
+            search = Search(tried, search.terms)
+    return search
 
 
 def _simpler(problem: Problem, search: Search, i: int) -> Fit | None:
