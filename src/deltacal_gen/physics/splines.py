@@ -110,7 +110,7 @@ def _fit(time: Array, values: Array, spacing: float, shift: float) -> BSpline:
     from scipy.interpolate import make_lsq_spline  # what stands still does without
 
     parts = int(max(1, min(round((time[-1] - time[0]) / spacing), (len(time) - DEGREE - 1) // 2)))
-    places = (np.arange(0 if shift else 1, parts) + shift) / parts
+    places = (np.arange(1, parts - (shift > 0)) + shift) / parts  # no interval at an end is shorter than others
     inner = time[0] + places * (time[-1] - time[0])
     counts = np.histogram(time, [time[0], *inner, time[-1]])[0]
     if (counts == 0).any():  # samples so uneven that an interval holds none
