@@ -27,7 +27,7 @@ FEWEST = 20  # samples of a fold
 MOVING = 0.5  # of the shortest stretch: so long the joint must be in motion in a fold of them, too
 LONGEST = 2.0  # s over which samples hang together, at most
 NOTHING = 1e-9  # of a column's mean square: what is left of one that others make up
-RIDGES = (1e-9, 1e-6, 1e-4, 1e-2)  # of a column's size, per sample
+RIDGES = tuple(10.0**k for k in range(-9, -1))  # of a column's size, per sample
 BELIEVED = 3.0  # times what the joint gave: so much may one parameter of a machine ask in a movement of all joints
 
 
