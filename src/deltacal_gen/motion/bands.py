@@ -65,10 +65,35 @@ def _slopes(fit: Fit) -> Array:
     return np.hstack([joint.columns(fit.rungs, fit.load), by_sizes(joint, fit.rungs, fit.coefficients, fit.load)])
 
 
-def half_width(
+def half_width(known: JointUncertainty, variance: Array) -> Array:
+    """Return half the width (N,) of the bands of a joint's readings, in units inside; `variance` as of `unsure`."""
+    return np.asarray(quantile(known.degrees) * np.sqrt(variance + known.scatter**2))
+
+
+def unshown(known: JointUncertainty, variance: Array) -> np.ndarray:
+    """Return the samples (N,) that ask of a joint what its recording did not show; `variance` as of `unsure`.
+
+    Coefficients leave them far less sure (`WIDE`) than a reading beside the fit was, and less than any sample of that
+    recording.
+    """
+    most = max(WIDE * known.scatter, known.shown or 0.0)
+    return np.asarray(variance > (most * (1 + TIES)) ** 2)
+
+
+def known_of(model: JointModel) -> JointUncertainty:
+    """Return how surely a joint is known; raises an InputError where the result says nothing of it."""
+    if model.uncertainty is None:
+        raise InputError(
+            f"the result says nothing of how surely it knows joint {model.joint}: an earlier version made it.",
+            "Run identify or diagnose again.",
+        )
+    return model.uncertainty
+
+
+def unsure(
     model: JointModel, read: dict[str, Array], past: Sequence[dict[str, Array]], columns: Array, given: Trajectories
 ) -> Array:
-    """Return half the width (N,) of the bands of a joint's readings, in units inside.
+    """Return the variance (N,) of what a joint's coefficients predict, in units inside.
 
     Parameters
     ----------
@@ -82,35 +107,7 @@ def half_width(
     InputError
         The result says nothing of its uncertainty.
     """
-    variance, known = unsure(model, read, past, columns, given)
-    return np.asarray(quantile(known.degrees) * np.sqrt(variance + known.scatter**2))
-
-
-def unshown(
-    model: JointModel, read: dict[str, Array], past: Sequence[dict[str, Array]], columns: Array, given: Trajectories
-) -> np.ndarray:
-    """Return the samples (N,) that ask of a joint what its recording did not show; see `half_width`.
-
-    Coefficients leave them far less sure (`WIDE`) than a reading beside the fit was, and less than any sample of that
-    recording. None of an earlier version's result.
-    """
-    if model.uncertainty is None:
-        return np.zeros(given.n_rows, dtype=bool)
-    variance, known = unsure(model, read, past, columns, given)
-    most = max(WIDE * known.scatter, known.shown or 0.0)
-    return np.asarray(variance > (most * (1 + TIES)) ** 2)
-
-
-def unsure(
-    model: JointModel, read: dict[str, Array], past: Sequence[dict[str, Array]], columns: Array, given: Trajectories
-) -> tuple[Array, JointUncertainty]:
-    """Return the variance (N,) of what a joint's coefficients predict, and all that is known of it."""
-    known = model.uncertainty
-    if known is None:
-        raise InputError(
-            f"the result says nothing of how surely it knows joint {model.joint}: an earlier version made it.",
-            "Run identify or diagnose again.",
-        )
+    known = known_of(model)
     by_size: list[Array] = []
     parts, total = [columns], columns @ _of_machine(model)
     for term, own in zip(model.terms, past, strict=True):
@@ -130,7 +127,7 @@ def unsure(
     variance = ((J @ L) ** 2).sum(axis=1)
     if known.delay_std is not None:
         variance += (earlier(total, known.delay_std, given.time, given.piece) - total) ** 2
-    return np.asarray(variance), known
+    return np.asarray(variance)
 
 
 def _of_machine(model: JointModel) -> Array:

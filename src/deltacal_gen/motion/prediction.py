@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from deltacal_gen.files.robot import robot_of
-from deltacal_gen.motion.bands import half_width, unshown
+from deltacal_gen.motion.bands import half_width, known_of, unshown, unsure
 from deltacal_gen.motion.derivatives import motion
 from deltacal_gen.motion.joint import earlier
 from deltacal_gen.motion.library import LOAD, Rung, of_joint
@@ -69,10 +69,13 @@ def predicted(known: MotionModel, given: Trajectories, *, bands: bool = False) -
         read = read | {LOAD: load_of(model, *own)}
         loads[:, j - 1] = np.where(moving, read[LOAD] / done.readouts[j - 1].inside, np.nan)
         outside |= moving & beyond_laws(model, read)
+        if model.uncertainty is None and half is None:
+            continue  # of a result of an earlier version
         by = own[0] if model.payload is None else np.column_stack(own[:2])
-        beyond[:, j - 1] = moving & ~found.loose & unshown(model, read, past, by, given)
+        sure, variance = known_of(model), unsure(model, read, past, by, given)
+        beyond[:, j - 1] = moving & ~found.loose & unshown(sure, variance)
         if half is not None:
-            half[:, j - 1] = half_width(model, read, past, by, given) / done.readouts[j - 1].inside
+            half[:, j - 1] = half_width(sure, variance) / done.readouts[j - 1].inside
     return dataclasses.replace(done, readings=out, outside=outside, unshown=beyond, load=loads, half=half)
 
 
