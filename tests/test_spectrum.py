@@ -4,25 +4,16 @@ from __future__ import annotations
 
 import dataclasses
 import re
+import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
 from test_serial import robot
 
-from deltacal_gen.app import commands
+from deltacal_gen.app import cli, commands
 from deltacal_gen.diagnosis.search import Search
-from deltacal_gen.diagnosis.spectrum import (
-    MOST_OUT,
-    STANDS_OUT,
-    Spectrum,
-    never_seen,
-    periodic,
-    seen,
-    unseen,
-    wave,
-    words,
-)
+from deltacal_gen.diagnosis.spectrum import MOST_OUT, STANDS_OUT, Spectrum, never_seen, periodic, seen, unseen, words
 from deltacal_gen.estimation.fit import fit
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import pose_problem
@@ -30,14 +21,19 @@ from deltacal_gen.estimation.series import Series
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import robot_to_toml
+from deltacal_gen.identification.carried import words as told_further
 from deltacal_gen.identification.folds import folds
-from deltacal_gen.machine.registry import mechanism_of
+from deltacal_gen.identification.identification import identify
+from deltacal_gen.identification.orders import wave
+from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.pages import report
 from deltacal_gen.physics.terms import Term
-from deltacal_gen.results.diagnosis import Seen, SeenJoint
+from deltacal_gen.results.diagnosis import Diagnosis, Seen, SeenJoint
 from deltacal_gen.results.parts import NeverSeen
+from deltacal_gen.results.result import Result
 from deltacal_gen.results.shown import rounded
 from deltacal_gen.units import DEG
+from deltacal_gen.use.prediction import known_effects
 
 ORDERS = (2, 5, 9, 14, 20)
 JOINTS = (2, 3)
@@ -50,7 +46,9 @@ def amplitudes() -> dict[int, np.ndarray]:
     return {k: 0.004 * rng.standard_normal((len(JOINTS), 2)) for k in ORDERS}
 
 
-def taken(folder: Path, name: str, noise: float, concealed: bool, seed: int, span: float = 170.0) -> Path:
+def taken(
+    folder: Path, name: str, noise: float, concealed: bool, seed: int, span: float = 170.0, least: float | None = None
+) -> Path:
     """Write a recording of 250 poses of the arm of `test_serial` in an unknown frame."""
     (folder / "robot.toml").write_text(robot_to_toml(robot()))
     text = "[parameters]\na_2 = 0.2\ntheta_3 = 0.05\n"
@@ -58,7 +56,7 @@ def taken(folder: Path, name: str, noise: float, concealed: bool, seed: int, spa
         text += f'[[effects]]\nname = "{wave()}"\nlimbs = {list(JOINTS)}\norder = {k}\n'
         text += f"cos = {c[:, 0].tolist()}\nsin = {c[:, 1].tolist()}\n"
     (folder / "truth.toml").write_text(text)
-    q = np.random.default_rng(seed).uniform(-span, span, (250, 6))
+    q = np.random.default_rng(seed).uniform(-span if least is None else least, span, (250, 6))
     header = ",".join(f"q{i}_deg" for i in range(1, 7))
     np.savetxt(folder / f"{name}.csv", q, delimiter=",", header=header, comments="")
     (folder / f"{name}.toml").write_text('[measurement]\nkind = "pose"\nframe = "unknown"\nsigma_deg = 0.0005\n')
@@ -94,6 +92,14 @@ def found(at: Fit) -> Spectrum:
     found = found_in(at)
     assert found is not None
     return found
+
+
+@pytest.fixture(scope="module")
+def half_seen(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Diagnosis]:
+    """Diagnose joints that never were at angles below zero."""
+    folder = tmp_path_factory.mktemp("carried")
+    path = taken(folder, "before", NOISE, concealed=True, seed=1, least=0.0)
+    return folder, commands.diagnose(folder / "robot.toml", path, folder / "known.json")
 
 
 def test_the_joints_and_the_size_of_their_errors_are_found(found: Spectrum) -> None:
@@ -133,8 +139,8 @@ def test_the_orders_that_stand_out_are_those_that_are_there(found: Spectrum) -> 
         assert [s.amplitude / s.std for s in told] == sorted((s.amplitude / s.std for s in told), reverse=True)
 
 
-def test_they_are_told_in_the_answer_in_words_and_on_the_page(recorded: Path) -> None:
-    answer = commands.diagnose(recorded.parent / "robot.toml", recorded)
+def test_they_are_told_in_the_answer_in_words_and_on_the_page(half_seen: tuple[Path, Diagnosis]) -> None:
+    _, answer = half_seen
     [many] = [e for e in answer.effects if e.orders is not None]
     assert many.standing_out
     assert {s.limb for s in many.standing_out} == set(JOINTS)
@@ -204,6 +210,57 @@ def test_angles_that_were_never_seen_are_told() -> None:
     assert told == (NeverSeen(limb=2, readings=1, angles_deg=((200.0, 200.0),)),)
     assert never_seen(None, np.zeros((1, 6))) == ()
     assert words(told[0]).startswith(f"joint {told[0].limb} stands in {told[0].readings} readings at angles")
+
+
+def test_another_session_tells_further_of_errors_where_the_diagnosis_never_was(
+    half_seen: tuple[Path, Diagnosis],
+) -> None:
+    folder, known = half_seen
+    read = read_recording(taken(folder, "since", NOISE, concealed=True, seed=12), mechanism_of(robot()))
+    since, far = (read.subset(np.arange(k, read.n_rows, 2)) for k in (0, 1))
+    carried = commands.identify(robot(), since, physics=known)
+    told = carried.continued
+    assert told is not None
+    assert told.limbs == JOINTS
+    assert told.heldout_rms_mm < 0.7 * told.held_rms_mm
+    assert carried.heldout_rms_mm == told.heldout_rms_mm
+    assert carried.never_seen is None
+    assert "joints 2 and 3" in told_further(told)
+
+    def off(result: Result) -> Array:
+        return (commands.predict(result, far, bands=True).measured - far.measured)[:, :3]
+
+    held = identify(robot(), since, held=known_effects(known)).answer()
+    size = {name: np.sqrt(np.mean(off(each) ** 2)) for name, each in (("further", carried), ("held", held))}
+    size["alone"] = np.sqrt(np.mean(off(commands.identify(robot(), since)) ** 2))
+    assert size["further"] < 0.6 * min(size["held"], size["alone"])
+    bands = commands.predict(carried, far, bands=True).channels
+    half = np.column_stack([(bands[f"{axis}_hi_mm"] - bands[f"{axis}_lo_mm"]) / 2 for axis in "xyz"])
+    assert 0.9 < np.mean(np.abs(off(carried)) < np.hypot(half, 1.96 * NOISE)) <= 1.0
+
+
+def test_errors_that_were_mended_since_are_dropped(half_seen: tuple[Path, Diagnosis]) -> None:
+    folder, known = half_seen
+    since = read_recording(taken(folder, "mended", NOISE, concealed=False, seed=13), mechanism_of(robot()))
+    carried, alone = commands.identify(robot(), since, physics=known), commands.identify(robot(), since)
+    assert carried.continued is None
+    assert not carried.physics
+    assert {told.name for told in carried.physics_not_held or ()} == {wave()}
+    assert carried.heldout_rms_mm == pytest.approx(alone.heldout_rms_mm, rel=1e-3)
+
+
+def test_what_another_session_tells_further_is_on_the_screen(
+    half_seen: tuple[Path, Diagnosis], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    folder, _ = half_seen
+    path = taken(folder, "shown", NOISE, concealed=True, seed=14)
+    known, out = folder / "known.json", folder / "result.json"
+    said = ["identify", folder / "robot.toml", path, "--physics", known, "-o", out]
+    monkeypatch.setattr(sys, "argv", ["deltacal", *map(str, said)])
+    with pytest.raises(SystemExit) as ended:
+        cli.main()
+    assert not ended.value.code
+    assert "go on from what the diagnosis knows of them" in " ".join(capsys.readouterr().out.split())
 
 
 def test_a_held_effect_moves_the_machine_as_a_free_one_does(tmp_path: Path) -> None:

@@ -15,8 +15,9 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from deltacal_gen.diagnosis import charges, correction, spectrum
+from deltacal_gen.diagnosis import charges, correction
 from deltacal_gen.estimation import fit, residuals, solvers
+from deltacal_gen.identification import orders
 from deltacal_gen.instrument.kinds import kind_of
 from derive.measurements import gauge
 from derive.review.laws import Law, law
@@ -262,8 +263,8 @@ def _smooth_steps() -> list[Step]:
     variance = (1 + (order / corner) ** 2) ** -2
     kernel = sp.exp(-((gap / length) ** 2) / 2)
     t, u = sp.symbols("t u", real=True)
-    n = np.arange(1, spectrum.ORDERS + 1)
-    shape = spectrum._shape(7.0)
+    n = np.arange(1, orders.ORDERS + 1)
+    shape = orders.shape(7.0)
     values, knots = np.array([[0.3]]), np.array([[1.1]])
     # waves of one order with independent coefficients of one variance: the covariance of two angles
     pair = sp.simplify(sp.cos(order * t) * sp.cos(order * u) + sp.sin(order * t) * sp.sin(order * u))
@@ -274,7 +275,7 @@ def _smooth_steps() -> list[Step]:
                 "Cosine and sine of order n with coefficients of one variance: two angles are alike by the cosine of "
                 "their distance; beyond the corner the variance falls with the fourth power of the order.",
                 (sp.Symbol("k_n"), variance * pair),
-                ends=[spectrum._shape, spectrum._waves],
+                ends=[orders.shape, orders.waves],
             ),
             float(max(abs(float(variance.subs({order: int(j), corner: 7.0})) - shape[j - 1]) for j in n)),
             "tests/test_spectrum.py::test_the_error_is_known_to_the_standard_deviation_that_is_stated",

@@ -17,7 +17,7 @@ from deltacal_gen.diagnosis.harmonics import order_of
 from deltacal_gen.diagnosis.laws.laws import Lawful
 from deltacal_gen.diagnosis.laws.told import told
 from deltacal_gen.diagnosis.search import SCATTERED
-from deltacal_gen.diagnosis.spectrum import Spectrum, Standing, wave
+from deltacal_gen.diagnosis.spectrum import Spectrum, Standing
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.files.robot import kept_robot
@@ -25,6 +25,7 @@ from deltacal_gen.identification.checks import gross_lines
 from deltacal_gen.identification.drawing import filed_rms
 from deltacal_gen.identification.knowledge import uncertainty_of
 from deltacal_gen.identification.noise import Noise, coordinate_sigma, noise_model
+from deltacal_gen.identification.orders import wave
 from deltacal_gen.identification.unknowns import unknowns_of
 from deltacal_gen.instrument.kind import Instrument
 from deltacal_gen.machine.places import at, place_of

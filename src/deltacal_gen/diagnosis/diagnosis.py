@@ -38,7 +38,7 @@ from deltacal_gen.diagnosis.laws.remainder import with_remainder
 from deltacal_gen.diagnosis.library import library
 from deltacal_gen.diagnosis.refits import believable, form, refitted, terms_of
 from deltacal_gen.diagnosis.search import Search
-from deltacal_gen.diagnosis.spectrum import LEAST_TURN, Spectrum, periodic, wave
+from deltacal_gen.diagnosis.spectrum import LEAST_TURN, Spectrum, periodic
 from deltacal_gen.diagnosis.strategy import (
     Outcome,
     Progress,
@@ -64,6 +64,7 @@ from deltacal_gen.identification import checks
 from deltacal_gen.identification.drawing import ANOTHERS, as_read, doubts, strained
 from deltacal_gen.identification.folds import folds
 from deltacal_gen.identification.noise import lack_of_fit, merely_more, stated
+from deltacal_gen.identification.orders import wave
 from deltacal_gen.identification.overflow import without_overflow
 from deltacal_gen.identification.prior import learned
 from deltacal_gen.identification.together import as_predicts, better_alone, deviance_of, together, without_following

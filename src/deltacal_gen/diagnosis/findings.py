@@ -14,12 +14,13 @@ from deltacal_gen.diagnosis.library import unseen
 from deltacal_gen.diagnosis.refits import form, terms_of
 from deltacal_gen.diagnosis.scattering import scattering
 from deltacal_gen.diagnosis.search import Doubt, Found, Search
-from deltacal_gen.diagnosis.spectrum import Spectrum, wave
+from deltacal_gen.diagnosis.spectrum import Spectrum
 from deltacal_gen.diagnosis.strategy import ALIKE
 from deltacal_gen.diagnosis.structure import Region, Structure, alike, returning
 from deltacal_gen.diagnosis.unnamed import shifts
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.identification.noise import alike_at_a_pose
+from deltacal_gen.identification.orders import wave
 from deltacal_gen.machine.places import place_of
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.values import Robot

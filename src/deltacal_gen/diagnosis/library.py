@@ -8,6 +8,7 @@ import numpy as np
 
 from deltacal_gen.diagnosis.discrimination import columns_read
 from deltacal_gen.estimation.problem import Problem
+from deltacal_gen.identification.orders import ORDERS
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.terms import (
     LOGGED,
@@ -23,7 +24,7 @@ from deltacal_gen.results.parts import Missing
 from deltacal_gen.states import CHANNELS, RECORDED, TIME, State, named, read_by
 
 Form = tuple[Constant, ...]  # the constants before one that is searched
-ORDERS = 100  # integer orders of a periodic error that are searched
+
 HARMONICS = 5  # multiples of the gear ratio that are searched
 MOST_TIMES = 300  # of a jump that are searched
 SIZES = (0.15, 3.0)  # of what a state becomes: a size beyond either end is not told from none, or from a straight line

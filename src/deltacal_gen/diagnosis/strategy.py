@@ -15,7 +15,7 @@ from deltacal_gen.diagnosis.evidence import evidence
 from deltacal_gen.diagnosis.refits import form, kind, place, refitted, std_of, terms_of
 from deltacal_gen.diagnosis.scattering import scattering
 from deltacal_gen.diagnosis.search import Found, Search
-from deltacal_gen.diagnosis.spectrum import Spectrum, periodic, wave
+from deltacal_gen.diagnosis.spectrum import Spectrum, periodic
 from deltacal_gen.diagnosis.structure import Structure, alike, smooth_columns, structures
 from deltacal_gen.estimation.fit import held_out, held_out_errors
 from deltacal_gen.estimation.fitted import Fit
@@ -23,6 +23,7 @@ from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.identification.folds import folds
 from deltacal_gen.identification.noise import lack_of_fit, merely_more
+from deltacal_gen.identification.orders import wave
 from deltacal_gen.identification.together import PRICE, deviance_of, together
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.terms import (

@@ -22,7 +22,7 @@ from deltacal_gen.identification.unknowns import unknowns_of
 from deltacal_gen.machine.registry import Array, Machine
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.physics.terms import kept_term
-from deltacal_gen.results.parts import Missing, Uncertainty
+from deltacal_gen.results.parts import Continued, Missing, Uncertainty
 from deltacal_gen.results.result import (
     Accuracy,
     BaseFrame,
@@ -76,6 +76,8 @@ class Identification:
         Source errors of the robot file, from which those found count.
     not_held : tuple of Missing
         Effects that belong to the session they were found in, and what this one lacks for them.
+    continued : Continued or None
+        What the readings told further of periodic errors that were held.
     map : UncertaintyMap or None
         Over the workspace, where the robot has one.
     uncertainty : Uncertainty
@@ -97,6 +99,7 @@ class Identification:
     robot: Robot
     in_file: Array
     not_held: tuple[Missing, ...]
+    continued: Continued | None
     map: UncertaintyMap | None
     uncertainty: Uncertainty
 
@@ -182,6 +185,7 @@ def result_of(found: Identification) -> Result:
         iterations=len(final.history),
         physics=tuple(map(kept_term, problem.held)),
         physics_not_held=found.not_held,
+        continued=found.continued,
         begun_s=problem.body.channels.begun,
         instrument=final.instrument.kept(recording.setup_names, recording.measurement.zero, recording.columns),
         robot=kept_robot(found.robot),

@@ -2,12 +2,18 @@
 
 An effect is carried with the coefficients that it was found with. Whether the machine still does that, the readings of
 the other session say: those that no fit has seen must lie nearer to their prediction with it than without.
+
+The periodic errors of joints are functions of which a session tells as much as it moved the joints. Another one stands
+at other angles. What the diagnosis knew of them is then the prior of what these readings tell: near certain where it
+read, and as open as before any readings where it did not (Bayes; `identification.orders`).
 """
 
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -18,15 +24,20 @@ from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.residuals import lengths
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.identification.folds import folds
+from deltacal_gen.identification.orders import ORDERS, Orders, as_terms, shape, wave, waves
 from deltacal_gen.machine.places import at
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.values import Robot
-from deltacal_gen.physics.terms import Term, load_effect, of_reading, without_rows
-from deltacal_gen.results.parts import Missing
+from deltacal_gen.physics.terms import Term, load_effect, of_reading, term_of, without_rows
+from deltacal_gen.results.diagnosis import Diagnosis
+from deltacal_gen.results.parts import Continued, Missing
 from deltacal_gen.states import TIME
+from deltacal_gen.units import DEG
 
 POSES, SEED = 400, 2021  # on which is judged what holds, drawn at random where there are more
 TOLERANCE = 0.1  # of chi2: what a last step of a fit may still gain that judges
+
+ROUNDS = 2  # of fits: rows that stood out from what was held take part where it is known further
 
 Part = tuple[str, int | None]  # an effect, and of a periodic one the joint: its orders stand and fall together
 
@@ -55,7 +66,9 @@ def usable(problem: Problem, held: Sequence[Term]) -> tuple[tuple[Term, ...], tu
     return tuple(can), tuple(cannot)
 
 
-def borne_out(problem: Problem, first: Fit) -> tuple[tuple[Term, ...], tuple[Missing, ...]]:
+def borne_out(
+    problem: Problem, first: Fit, *, spared: str | None = None
+) -> tuple[tuple[Term, ...], tuple[Missing, ...]]:
     """Return the held effects of a problem that its own readings bear out, and those that they do not.
 
     Backwards: whatever the held-out readings are nearer to their prediction without is dropped, the worst first; all of
@@ -65,6 +78,8 @@ def borne_out(problem: Problem, first: Fit) -> tuple[tuple[Term, ...], tuple[Mis
     ----------
     first : Fit
         A fit of the same machine from which others start.
+    spared : str, optional
+        An effect that is not dropped: it is judged otherwise.
     """
     some = problem.some(POSES, np.random.default_rng(SEED))
     parts = folds(some.readings, some.recording)
@@ -88,16 +103,138 @@ def borne_out(problem: Problem, first: Fit) -> tuple[tuple[Term, ...], tuple[Mis
     held, dropped = tuple(problem.held), []
     now = judged(held)
     while held:
-        others = [(part, judged(_without(held, part))) for part in _parts(held)]
+        others = [(part, judged(_without(held, part))) for part in _parts(held) if part[0] != spared]
+        if not others:
+            break
         part, best = min(others, key=lambda found: _typical(found[1]))
         if _typical(best) >= _typical(now):
             break
         dropped.append(_told(problem.robot, part, now, best))
         held, now = _without(held, part), best
-    if held and _typical(alone := judged(())) <= _typical(now):
+    if held and spared is None and _typical(alone := judged(())) <= _typical(now):
         dropped += [_told(problem.robot, part, now, alone) for part in _parts(held)]
         held = ()
     return held, tuple(dropped)
+
+
+@dataclass(frozen=True)
+class Periodic:
+    """What a diagnosis knew of the periodic errors of joints.
+
+    Attributes
+    ----------
+    errors : dict
+        Of each joint (from 1): cosine and sine of each order (2 orders,) [rad].
+    rms, std : dict
+        Of each joint, over its readings: of the error, and of its standard deviation [rad].
+    seen : dict
+        Of each joint: between which angles of the turn [rad] it was read.
+    corner : float
+        Order beyond which coefficients become small.
+    """
+
+    errors: dict[int, Array]
+    rms: dict[int, float]
+    std: dict[int, float]
+    seen: dict[int, tuple[tuple[float, float], ...]]
+    corner: float
+
+    @classmethod
+    def of(cls, found: Diagnosis) -> Periodic | None:
+        """Return what a diagnosis knew; None where it has no periodic errors of many orders."""
+        effect = next((e for e in found.effects if e.name == wave() and e.orders == (1, ORDERS)), None)
+        if effect is None or found.seen is None:
+            return None
+        told = {(p.name, p.limb): p for p in effect.parameters}
+        terms = [term_of(t) for t in found.physics if t.effect == wave()]
+        errors = {j: np.zeros((ORDERS, 2)) for j in effect.limbs}
+        for term in terms:
+            for j, values in zip(term.limbs, term.values, strict=True):
+                errors[j][int(term.constants[0]) - 1] = values
+        return cls(
+            {j: values.ravel() for j, values in errors.items()},
+            {j: float(told["rms", j].value) * DEG for j in errors},
+            {j: (told["rms", j].std or 0.0) * DEG for j in errors},
+            {s.limb: tuple((a * DEG, b * DEG) for a, b in s.angles_deg) for s in found.seen.joints},
+            float(told["corner", None].value),
+        )
+
+    def roots(self, limbs: Sequence[int]) -> list[Array]:
+        """Return of each joint L of the covariance L L' [rad2] of what its coefficients may be beside those found.
+
+        Where it was read they are known as if by readings of the function itself, so many and so sure that what is
+        within half a period of the corner has the standard deviation that the diagnosis tells.
+        """
+        variance = float(np.mean([self.rms[j] ** 2 for j in self.errors]) / shape(self.corner).sum())
+        step, out = np.pi / ORDERS, []
+        for j in limbs:
+            angles = np.concatenate([np.arange(a, b + step / 2, step) for a, b in self.seen[j]])
+            number = np.pi / self.corner / step
+            F = waves(angles) / (self.std[j] * number**0.5)
+            precision = F.T @ F + np.diag(1 / np.repeat(variance * shape(self.corner), 2))
+            out.append(np.linalg.cholesky(np.linalg.inv(precision)))
+        return out
+
+
+class Further(NamedTuple):
+    """A fit beside periodic errors that its readings told more of, and what that is worth."""
+
+    fit: Fit
+    told: Continued
+
+
+def further(at: Fit, known: Periodic, again: Callable[[Problem, Fit], Fit]) -> Further | None:
+    """Return a fit beside periodic errors that its readings tell more of; None where held-out readings do not prove it.
+
+    Parameters
+    ----------
+    at : Fit
+        Beside the errors as the diagnosis has them, or some of them.
+    known : Periodic
+    again : callable
+        Returns the fit of a problem that differs in what is held, from a fit.
+    """
+    problem, out = at.problem, None
+    limbs = [j for j in known.errors if any(t.effect == wave() and j in t.limbs for t in problem.held)]
+    rows = problem.readings.rows
+    if not limbs or rows.shape[1] != 1:
+        return None
+    others = [t for t in problem.held if t.effect != wave()]
+    turns, roots = problem.body.q[rows[:, 0]], known.roots(limbs)
+    parts, change = folds(problem.readings, problem.recording), {j: np.zeros(2 * ORDERS) for j in limbs}
+    for _ in range(ROUNDS):
+        linear = Orders(at, turns, limbs, parts, change)
+        found = linear.of_prior(limbs, known.corner, roots)
+        if linear.weighs_otherwise(found.noise):
+            found = linear.of_prior(limbs, known.corner, roots)
+        if (heldout := linear.borne_out(found)) is None:
+            return out
+        if out is None and heldout[1] >= Orders(at, turns, limbs, parts, known.errors).held_out_rms(None):
+            return None
+        each = linear.solved(found)
+        change = {j: own.values for j, own in each.items()}
+        held = (*others, *as_terms({j: known.errors[j] + c for j, c in change.items()}))
+        sigma = at.sigma * found.noise**0.5  # the orders' own degrees of freedom counted
+        at = again(dataclasses.replace(problem, held=held), at)
+        at = dataclasses.replace(at, covariance=linear.covariance(found), sigma=sigma)
+        told = Continued(
+            limbs=tuple(limbs),
+            change_rms_deg={str(j): own.rms / DEG for j, own in each.items()},
+            held_rms_mm=heldout[0],
+            heldout_rms_mm=heldout[1],
+        )
+        out = Further(at, told)
+    return out
+
+
+def words(told: Continued) -> str:
+    """Return in words which periodic errors are told further, and what that is worth."""
+    first, last = ", ".join(map(str, told.limbs[:-1])), told.limbs[-1]
+    joints = f"joints {first} and {last}" if first else f"joint {last}"
+    return (
+        f"the periodic errors of {joints} go on from what the diagnosis knows of them: held-out readings lie "
+        f"{told.held_rms_mm:.3g} mm off with its own, {told.heldout_rms_mm:.3g} mm with what these readings tell beside"
+    )
 
 
 def _typical(squares: Array) -> float:

@@ -22,6 +22,7 @@ from deltacal_gen.files.checks import check_units
 from deltacal_gen.files.robot import Robot, for_model
 from deltacal_gen.identification import carried, drawing, identifiability
 from deltacal_gen.identification.answer import Identification
+from deltacal_gen.identification.carried import Periodic
 from deltacal_gen.identification.checks import (
     all_but_one,
     check_rows,
@@ -34,6 +35,7 @@ from deltacal_gen.identification.folds import FOLDS, folds
 from deltacal_gen.identification.identifiability import Combination
 from deltacal_gen.identification.knowledge import uncertainty_of
 from deltacal_gen.identification.noise import noise, with_tails
+from deltacal_gen.identification.orders import wave
 from deltacal_gen.identification.overflow import without_overflow
 from deltacal_gen.identification.remedies import printed, remedies
 from deltacal_gen.identification.together import together, without_following
@@ -43,7 +45,7 @@ from deltacal_gen.machine.differences import between
 from deltacal_gen.machine.registry import Machine, mechanism_of
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.terms import Term
-from deltacal_gen.results.parts import Missing
+from deltacal_gen.results.parts import Continued, Missing
 from deltacal_gen.results.result import Remedy
 
 Progress = Callable[[str], None]
@@ -60,6 +62,7 @@ def identify(
     truncation: int | str = "gcv",
     robust: bool = True,
     held: Sequence[Term] = (),
+    periodic: Periodic | None = None,
     machine: Robot | None = None,
     progress: Progress = lambda text: None,
 ) -> Identification:
@@ -80,6 +83,8 @@ def identify(
         Let a few per cent of gross errors not move the result.
     held : sequence of Term
         Effects that stay as a diagnosis found them, while geometry and frame are refitted.
+    periodic : Periodic, optional
+        What it knew of the periodic errors of joints among them: the readings tell further of these.
     machine : Robot, optional
         The machine as it was calibrated in another session: source errors that the model leaves out stay as they are
         there.
@@ -97,32 +102,30 @@ def identify(
     """
     if model is not None:
         robot = for_model(robot, model)
-    mechanism = mechanism_of(robot)
-    in_file = mechanism.vector(robot.errors)
+    in_file = mechanism_of(robot).vector(robot.errors)
     robot, everything, chosen, not_held = _asked(robot, recording, model, held, machine, as_distance=as_distance)
-    names = mechanism.model(chosen)
+    names = everything.mechanism.model(chosen)
     own = everything.with_names(names)
     rule, (known, given) = _solver(solver, truncation, recording.measurement.sigma_mm), with_prior(own, robot)
     problem = known if isinstance(rule, Prior) else own
 
     progress("rough stage: encoder offsets")
     distinct(everything, recording)
-    first, problem, dropped = _begun(everything, problem, robust, progress)
+    first, problem, dropped = _begun(everything, problem, robust, progress, None if periodic is None else wave())
     plausible(first)
     check_rows(first, recording)
     progress(f"fine stage: {len(names)} parameters of {chosen}")
-    final = _fine(problem, rule, first, robust)
-    problem = final.problem
+    final, told, lost = _carried(_fine(problem, rule, first, robust), rule, first, periodic, robust)
+    problem, not_held = final.problem, not_held + dropped + lost
     before = drawing.filed_rms(final)
     progress(f"held-out error: {FOLDS} folds")
-    final, heldout = _held_out(final, rule, robust)
+    final, heldout = _held_out(final, rule, robust) if told is None else (final, told.heldout_rms_mm)
     progress("identifiability")
     seen = _seen(final, dataclasses.replace(own, held=problem.held, readings=problem.readings), names)
-    found = zip((p.name for p in mechanism.parameters), final.errors.tolist(), strict=True)
-    calibrated = dataclasses.replace(robot, errors={name: value for name, value in found if value or name in names})
+    calibrated = _calibrated(robot, final, names)
     progress("uncertainty over the workspace")
     of_noise = with_tails(noise(final, recording), final)
-    uncertainty = uncertainty_of(final, of_noise)
+    sure = uncertainty_of(final, of_noise, None if told is None else heldout)
     return Identification(
         model=chosen,
         fit=final,
@@ -138,9 +141,10 @@ def identify(
         prior_given=given,
         robot=calibrated,
         in_file=in_file,
-        not_held=not_held + dropped,
-        map=None if problem.readings.kind.sees_joints else uncertainty_map(final, calibrated, uncertainty),
-        uncertainty=uncertainty,
+        not_held=not_held,
+        continued=told,
+        map=None if problem.readings.kind.sees_joints else uncertainty_map(final, calibrated, sure),
+        uncertainty=sure,
     )
 
 
@@ -191,7 +195,7 @@ def _seen(final: Fit, own: Problem, names: Sequence[str]) -> _Seen:
 
 
 def _begun(
-    everything: Problem, problem: Problem, robust: bool, progress: Progress
+    everything: Problem, problem: Problem, robust: bool, progress: Progress, spared: str | None = None
 ) -> tuple[Fit, Problem, tuple[Missing, ...]]:
     """Return the rough fit, the problem with the effects that these readings bear out, and those that they do not."""
     first = rough(everything, robust, must_converge=False)  # `plausible` says why it may not
@@ -201,7 +205,7 @@ def _begun(
     if not everything.held or everything.readings.made:
         return first, problem, ()
     progress("what of the diagnosis holds here")
-    held, dropped = carried.borne_out(problem, first)
+    held, dropped = carried.borne_out(problem, first, spared=spared)
     if not dropped:
         return first, problem, ()
     everything, problem = (dataclasses.replace(p, held=held) for p in (everything, problem))
@@ -218,6 +222,26 @@ def _fine(problem: Problem, rule: Solver, first: Fit, robust: bool) -> Fit:
     without = (without_overflow, without_knocked, without_following) if robust else (without_following,)
     rest = next((some for each in without if (some := each(at.problem, at)) is not None), None)
     return at if rest is None else _fine(rest, rule, first, robust)
+
+
+def _calibrated(robot: Robot, final: Fit, names: Sequence[str]) -> Robot:
+    """Return the robot with the source errors of a fit."""
+    found = zip((p.name for p in final.problem.mechanism.parameters), final.errors.tolist(), strict=True)
+    return dataclasses.replace(robot, errors={name: value for name, value in found if value or name in names})
+
+
+def _carried(
+    final: Fit, rule: Solver, first: Fit, periodic: Periodic | None, robust: bool
+) -> tuple[Fit, Continued | None, tuple[Missing, ...]]:
+    """Return the fit beside periodic errors that are told further, or held as far as these readings bear them out."""
+    if periodic is None:
+        return final, None, ()
+    if (told := carried.further(final, periodic, lambda p, at: _fine(p, rule, at, robust))) is not None:
+        return told.fit, told.told, ()
+    held, dropped = carried.borne_out(final.problem, first)
+    if dropped:
+        final = _fine(dataclasses.replace(final.problem, held=held), rule, first, robust)
+    return final, None, dropped
 
 
 def _remedies(final: Fit, absorbed: int | None) -> tuple[Remedy, ...]:

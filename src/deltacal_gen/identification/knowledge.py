@@ -39,17 +39,23 @@ class _Left(NamedTuple):
     columns: Array
 
 
-def uncertainty_of(final: Fit, known: Noise) -> Uncertainty:
-    """Return how surely a fit knows machine and instrument, and what it leaves beyond noise."""
+def uncertainty_of(final: Fit, known: Noise, heldout: float | None = None) -> Uncertainty:
+    """Return how surely a fit knows machine and instrument, and what it leaves beyond noise.
+
+    `heldout` is the RMS [mm] of readings held out where functions bend to those that were not: beyond noise is what
+    these leave.
+    """
     problem = final.problem
     left = _left_out(final)
-    excess = final.sigma[0] ** 2 / _per_reading(final, known) ** 2 - 1 if lack_of_fit(final, problem.recording) else 0.0
+    sigma = final.sigma if heldout is None else final.sigma * (heldout / final.rms())
+    beyond = heldout is not None or lack_of_fit(final, problem.recording)
+    excess = max(sigma[0] ** 2 / _per_reading(final, known) ** 2 - 1, 0.0) if beyond else 0.0
     size: dict[str, float] | None = None
     C = final.covariance
     if left.names:
         C, size = _widened(final, left, known)
         excess = 0.0
-    scatter = final.sigma * np.sqrt(max(excess, 0.0) / (1 + max(excess, 0.0)))
+    scatter = sigma * np.sqrt(excess / (1 + excess))
     return Uncertainty(
         parameters=(*problem.names, *left.names),
         coefficients=sum(t.n_coefficients for t in problem.terms),

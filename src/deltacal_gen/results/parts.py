@@ -108,6 +108,18 @@ class NeverSeen(Value):
     """Where, within the turn."""
 
 
+class Continued(Value):
+    """The periodic errors of joints that a diagnosis knew, told further by the readings of another session."""
+
+    limbs: tuple[int, ...]
+    change_rms_deg: dict[str, float]
+    """Of each joint, over these readings: by how much its error is another one than the diagnosis has."""
+    held_rms_mm: float
+    """Of held-out readings, the errors held as the diagnosis has them."""
+    heldout_rms_mm: float
+    """Of the same, the errors told further by the others."""
+
+
 class InputFile(Value):
     """A file that an answer was made of."""
 

@@ -7,6 +7,7 @@ from typing import ClassVar, Literal
 
 from deltacal_gen.results.base import Answer, Numbers, Value
 from deltacal_gen.results.parts import (
+    Continued,
     InstrumentState,
     Made,
     Missing,
@@ -200,8 +201,10 @@ class Result(Answer):
     workspace: UncertaintyMap | None
     iterations: int | None = None
     physics: tuple[TermState, ...] | None = None
-    """Effects that were held as a diagnosis found them."""
+    """Effects that were held as a diagnosis found them, but for what `continued` says."""
     physics_not_held: tuple[Missing, ...] | None = None
+    continued: Continued | None = None
+    """Null where the readings tell no more of the joints' periodic errors than the diagnosis."""
     instrument: InstrumentState
     robot: RobotTables
     """The calibrated machine."""

@@ -59,14 +59,14 @@ def identify(
     `report` is one self-contained HTML page of the same.
 
     `physics` is a DIAGNOSIS.json whose effects are held while geometry and frame are refitted: how a diagnosis carries
-    to another session. Source errors that the model leaves out are held too, as the diagnosis has them. `never_seen`
-    of the result says which joints stand where the readings of the diagnosis never were.
+    to another session; `continued` says what these readings tell further of periodic errors. Source errors that the
+    model leaves out are held too. `never_seen` says which joints stand where the readings of the diagnosis never were.
 
     Of a recording in motion (kind torque) the answer is a `results.motion.MotionResult`: the rigid machine's base
     parameters, see `motion.identification`.
     """
     from deltacal_gen.diagnosis import spectrum
-    from deltacal_gen.identification import identification
+    from deltacal_gen.identification import carried, identification
     from deltacal_gen.use import firmware
     from deltacal_gen.use.known import known_diagnosis
     from deltacal_gen.use.prediction import calibrated_robot, known_effects
@@ -78,8 +78,7 @@ def identify(
         refuse_in_motion(**{"as distance": as_distance, "physics": physics})
         return cast("Result", _finished(moving.identify(as_robot(robot), model), output, report, robot, recording))
     diagnosis, files = None if physics is None else known_diagnosis(physics), (robot, recording, physics)
-    robot = as_robot(robot)
-    held = [] if diagnosis is None else known_effects(diagnosis)
+    robot, held = as_robot(robot), [] if diagnosis is None else known_effects(diagnosis)
     given, clock = set_in_time(robot, recording, model, held=held, progress=progress)
     fitted = identification.identify(
         robot,
@@ -90,6 +89,7 @@ def identify(
         truncation=truncation,
         robust=robust,
         held=held if given.time_s is not None else [t.afterwards() for t in held],
+        periodic=None if diagnosis is None else carried.Periodic.of(diagnosis),
         machine=None if diagnosis is None else calibrated_robot(diagnosis),
         progress=progress,
     )
@@ -100,7 +100,7 @@ def identify(
             progress(f"what firmware would fit: {known}")
             beside = identification.identify(robot, given, known, solver=solver, robust=robust).answer()
             found = found.replace(firmware=_as_firmware(beside))
-    if diagnosis is not None:
+    if diagnosis is not None and found.continued is None:
         found = found.replace(never_seen=spectrum.never_seen(diagnosis.seen, robot.joint_sign * given.joints))
     found = with_clock(found, clock).replace(made=made(*files, measured=given))
     if output is not None:

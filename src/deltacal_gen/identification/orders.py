@@ -1,0 +1,336 @@
+"""All orders of the periodic errors of joints at once, beside geometry and instrument: sizes, coefficients, evidence.
+
+The error of a joint is a function of its angle with a Gaussian prior. Before any readings its orders are independent,
+with Matérn's spectrum (Rasmussen and Williams 2006, section 4.2.1): even up to a corner, and falling with the fourth
+power beyond. What another session knew of it is a prior, too, which holds the function where that session read it.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache, cached_property
+from typing import NamedTuple
+
+import numpy as np
+from scipy.linalg import block_diag
+
+from deltacal_gen.estimation.fitted import Fit
+from deltacal_gen.estimation.residuals import lengths, rms
+from deltacal_gen.estimation.solvers import jitter
+from deltacal_gen.identification.folds import stands
+from deltacal_gen.machine.registry import Array
+from deltacal_gen.physics.terms import Term, effect_names, load_effect
+
+ORDERS = 100  # integer orders of a periodic error that are searched
+ROUNDS = 200  # of the estimation of sizes, each of them cheap
+PROVEN = 3.0  # standard deviations by which held-out poses must be better
+SAMPLE = 500  # readings at which the error's standard deviation is looked at
+SAME_NOISE = 1.5  # times: variances of noise that differ less weigh priors alike
+
+
+@cache
+def wave() -> str:
+    """Return the name of the effect that is a wave of the joint's turn; "" where none is registered."""
+    return next((name for name in effect_names() if load_effect(name).PERIODIC), "")
+
+
+def as_terms(errors: Mapping[int, Array]) -> tuple[Term, ...]:
+    """Return the errors of joints, coefficients (2 orders,) [rad] of each, as effects: one per order, from 1."""
+    each = np.stack([values.reshape(ORDERS, 2) for values in errors.values()], axis=1)
+    return tuple(Term(wave(), tuple(errors), each[k - 1], (float(k),)) for k in range(1, ORDERS + 1))
+
+
+def waves(angle: Array) -> Array:
+    """Return cosine and sine of every order (N, 2 orders)."""
+    step = np.multiply.accumulate(np.repeat(np.exp(1j * angle)[:, None], ORDERS, axis=1), axis=1)
+    out: Array = np.stack([step.real, step.imag], axis=2).reshape(len(angle), -1)
+    return out
+
+
+def shape(corner: float) -> Array:
+    """Return how the variance of coefficients goes with the order (orders,)."""
+    out: Array = (1 + (np.arange(1, ORDERS + 1) / corner) ** 2) ** -2.0
+    return out
+
+
+@dataclass(frozen=True)
+class Sized:
+    """How large the errors of joints are before the readings, by the largest evidence.
+
+    Attributes
+    ----------
+    limbs : tuple of int
+        Joints (from 1).
+    corner : float
+        Order beyond which coefficients become small.
+    roots : tuple of array
+        Of each joint, L of the covariance L L' of its coefficients but for a common factor, [rad] where that is in
+        rad2: (2 orders, 2 orders), or the diagonal (2 orders,).
+    variance, noise : float
+        The common factor, and the variance of the whitened readings.
+    evidence : float
+        Logarithm of the likelihood.
+    """
+
+    limbs: tuple[int, ...]
+    corner: float
+    roots: tuple[Array, ...]
+    variance: float
+    noise: float
+    evidence: float
+
+
+class Coefficients(NamedTuple):
+    """The error of a joint: cosine and sine of each order (2 orders,) [rad], and their covariance [rad2].
+
+    `rms` and `std` are those of the error and of its standard deviation over the readings [rad].
+    """
+
+    values: Array
+    covariance: Array
+    rms: float
+    std: float
+
+
+class Orders:
+    """Normal equations of geometry, instrument and effects with all orders of some joints, part by part.
+
+    A joint's columns are its displacement of the readings times functions of its angle: their products are sums over
+    the rows of products of functions, and the columns themselves are never formed.
+
+    Parameters
+    ----------
+    at : Fit
+        Geometry and other effects; linear from here.
+    turns : (R, n_q) array
+        Joints of the readings [rad].
+    limbs : sequence of int
+        Joints (from 1) that may have an error.
+    parts : sequence of (train, test)
+        Masks (R,) of readings, every reading in one test.
+    held : mapping
+        Of joints whose error, or part of it, is held in the fit but sought here: its coefficients (orders, 2) [rad].
+    """
+
+    def __init__(
+        self,
+        at: Fit,
+        turns: Array,
+        limbs: Sequence[int],
+        parts: Sequence[tuple[np.ndarray, np.ndarray]],
+        held: Mapping[int, Array],
+    ) -> None:
+        problem = at.problem
+        machine = at.machine
+        state = problem.linearise(at.errors, at.instrument, machine)
+        J, _ = at.instrument.linearise(problem.readings, problem.seen(machine), problem.displacements(machine))
+        self._J = J[:, :, [j - 1 for j in limbs]]
+        self._F = [waves(turns[:, j - 1]) for j in limbs]
+        self._limbs = tuple(limbs)
+        self._y = state.residual
+        for i, j in enumerate(limbs):
+            if j in held:
+                self._y = self._y + self._J[:, :, i] * (self._F[i] @ held[j].ravel())[:, None]
+        self._raw = np.concatenate([state.J_p * problem.scale, state.J_m], axis=2)
+        self._n, self._problem = self._raw.shape[2], problem
+        self._scale = np.concatenate([problem.scale, np.ones(state.J_m.shape[2])])
+        self._held = (np.arange(self._n) < len(problem.scale)).astype(float)
+        departure = (at.errors[problem.columns] - problem.reference[problem.columns]) / problem.scale
+        self._departure = np.concatenate([departure, np.zeros(self._n - len(departure))])
+        self._noise = 1.0  # of the whitened readings: against it priors weigh
+        self._tests = [test for _, test in parts]
+        self._quiet = at.weights > 0
+        every = self._whitened(at)
+        self._grams = [self._gram([v[test] for v in every], [F[test] for F in self._F]) for test in self._tests]
+
+    def _whitened(self, at: Fit) -> list[Array]:
+        """Return rows by the noise: of what is fitted and the readings (R, k, n + 1), of the joints (R, k, joints).
+
+        Rows that hang together count by their effective number: what frees them of one another would mix functions of
+        different angles.
+        """
+        read = np.isfinite(self._y)
+        apart, series = dataclasses.replace(at.repeats, series=None), at.repeats.series
+        number = 1.0 if series is None else 1 / series.rows
+        self._scalars = number * float((read & (at.weights > 0)[:, None]).sum())
+        w = np.sqrt(at.weights * number)[:, None] / at.sigma * np.sqrt(1 + at.repeats.ratio)
+        out = []
+        for values in (np.concatenate([self._raw, self._y[..., None]], axis=2), self._J):
+            out.append(apart.whiten(np.where(read[..., None], values * w[..., None], 0.0), at.weights))
+        return out
+
+    def _gram(self, whitened: Sequence[Array], waves: Sequence[Array]) -> Array:
+        """Return the products of all columns: n fitted, the readings, then the orders of each joint."""
+        base, J = whitened
+        n, m = self._n + 1, 2 * ORDERS
+        G = np.zeros((n + m * len(waves),) * 2)
+        flat = base.reshape(-1, n)
+        G[:n, :n] = flat.T @ flat
+        for i, F in enumerate(waves):
+            own = slice(n + m * i, n + m * (i + 1))
+            G[:n, own] = np.matvec(np.swapaxes(base, 1, 2), J[:, :, i]).T @ F
+            G[own, :n] = G[:n, own].T
+            for j in range(i, len(waves)):
+                other = slice(n + m * j, n + m * (j + 1))
+                G[own, other] = (F * (J[:, :, i] * J[:, :, j]).sum(axis=1)[:, None]).T @ waves[j]
+                G[other, own] = G[own, other].T
+        return G
+
+    def _places(self, limbs: Sequence[int]) -> np.ndarray:
+        m = 2 * ORDERS
+        return np.concatenate([self._n + 1 + m * self._limbs.index(j) + np.arange(m) for j in limbs])
+
+    def weighs_otherwise(self, noise: float) -> bool:
+        """Weigh priors of what is fitted by another noise; tell whether that changes anything."""
+        if 1 / SAME_NOISE < noise / self._noise < SAME_NOISE:
+            return False
+        self._noise = noise
+        del self._whole
+        return True
+
+    @cached_property
+    def _whole(self) -> tuple[Array, Array, float]:
+        """Return normal equations of the orders and the sum of squares, all that is fitted beside taken out."""
+        return self._beside(np.sum(self._grams, axis=0))
+
+    def _of(self, limbs: Sequence[int]) -> tuple[Array, Array, float]:
+        own, (S, g, rest) = self._places(limbs) - self._n - 1, self._whole
+        return S[np.ix_(own, own)], g[own], rest
+
+    def _beside(self, G: Array) -> tuple[Array, Array, float]:
+        n = self._n
+        H, g = self._geometry(G)
+        S = np.linalg.solve(H, np.column_stack([G[:n, n + 1 :], g]))
+        coupling = G[n + 1 :, :n]
+        rest = float(G[n, n] + self._noise * self._departure @ self._departure - g @ S[:, -1])
+        return G[n + 1 :, n + 1 :] - coupling @ S[:, :-1], G[n + 1 :, n] - coupling @ S[:, -1], rest
+
+    def _geometry(self, G: Array) -> tuple[Array, Array]:
+        """Return the normal equations (n, n) and (n,) of what is fitted beside the orders, with its priors."""
+        n, held = self._n, self._noise * self._held
+        return G[:n, :n] + np.diag(held + jitter(np.diag(G)[:n])), G[:n, n] - held * self._departure
+
+    def sized(self, limbs: Sequence[int], start: float) -> Sized:
+        """Return size, corner and noise of the largest evidence, sought from a corner on."""
+        best = self._at_corner(limbs, start)
+        for factor in (2.0, 0.5):
+            while 1.0 < best.corner * factor < ORDERS:
+                other = self._at_corner(limbs, best.corner * factor)
+                if other.evidence <= best.evidence:
+                    break
+                best = other
+            if best.corner > start:
+                break
+        return best
+
+    def _at_corner(self, limbs: Sequence[int], corner: float) -> Sized:
+        return self.of_prior(limbs, corner, [np.sqrt(np.repeat(shape(corner), 2))] * len(limbs))
+
+    def of_prior(self, limbs: Sequence[int], corner: float, roots: Sequence[Array]) -> Sized:
+        """Return the common factor of a prior, and the noise, of the largest evidence; see `Sized`."""
+        S, g, rest = self._of(limbs)
+        size, vectors = np.linalg.eigh(_by_roots(roots, S))
+        size, along = np.maximum(size, 0.0), vectors.T @ _times(roots, g[:, None])[:, 0]
+        n = self._scalars
+        noise = rest / n
+        variance = len(g) * noise / max(float(size.sum()), 1e-300)
+        for _ in range(ROUNDS):  # expectation and maximisation (MacKay 1992)
+            c, spread = variance * along / (variance * size + noise), variance * noise / (variance * size + noise)
+            new = float(np.mean(c**2 + spread))
+            noise = (rest - 2 * float(c @ along) + float(c**2 @ size) + float(size @ spread)) / n
+            done, variance = abs(new - variance) < 1e-4 * variance, new
+            if done:
+                break
+        left = rest - float((variance * along**2 / (variance * size + noise)).sum())
+        evidence = -0.5 * (n * np.log(noise) + float(np.log1p(variance * size / noise).sum()) + left / noise)
+        return Sized(tuple(limbs), corner, tuple(roots), variance, noise, evidence)
+
+    def gain(self, found: Sized, without: int) -> float:
+        """Return twice the logarithm of the evidence for the error of one of the joints."""
+        kept = [i for i, j in enumerate(found.limbs) if j != without]
+        if not kept:
+            n, rest = self._scalars, self._whole[2]
+            return 2 * (found.evidence + 0.5 * (n * np.log(rest / n) + n))
+        S, g, rest = self._of([found.limbs[i] for i in kept])
+        roots = [found.variance**0.5 * found.roots[i] for i in kept]
+        L = np.linalg.cholesky(_by_roots(roots, S) / found.noise + np.eye(len(g)))
+        z = np.linalg.solve(L, _times(roots, g[:, None])[:, 0])
+        left = rest - float(z @ z) / found.noise
+        evidence = -0.5 * (self._scalars * np.log(found.noise) + 2 * np.log(np.diag(L)).sum() + left / found.noise)
+        return 2 * float(found.evidence - evidence)
+
+    def solved(self, found: Sized) -> dict[int, Coefficients]:
+        """Return the coefficients of each joint."""
+        S, g, _ = self._of(found.limbs)
+        inverse = np.linalg.inv(S + _pull(found))
+        out, m = {}, 2 * ORDERS
+        for i, (j, values) in enumerate(zip(found.limbs, (inverse @ g).reshape(-1, m), strict=True)):
+            own, F = slice(m * i, m * (i + 1)), self._F[self._limbs.index(j)]
+            some = F[:: max(len(F) // SAMPLE, 1)]
+            C = np.asarray(found.noise * inverse[own, own])
+            std = float(np.sqrt(np.mean(((some @ C) * some).sum(axis=1))))
+            out[j] = Coefficients(values, C, float(np.std(F @ values)), std)
+        return out
+
+    def covariance(self, found: Sized) -> Array:
+        """Return the covariance of what is fitted beside orders that are as unknown as the readings leave them."""
+        n, own, G = self._n, self._places(found.limbs), np.sum(self._grams, axis=0)
+        H, _ = self._geometry(G)
+        orders = G[np.ix_(own, own)] + _pull(found)
+        C = found.noise * np.linalg.inv(H - G[:n, own] @ np.linalg.solve(orders, G[own, :n]))
+        covariance: Array = C * self._scale * self._scale[:, None]
+        return covariance
+
+    def borne_out(self, found: Sized) -> tuple[float, float] | None:
+        """Return RMS [mm] of held-out readings without and with the errors; None where these do not prove them."""
+        before, after = (lengths(self.held_out(f), self._problem.readings.kind) for f in (None, found))
+        pose = stands(self._problem.readings, self._problem.recording)
+        better = np.bincount(pose, np.nansum(before**2 - after**2, axis=1))[np.bincount(pose) > 0]
+        proven = better.sum() > PROVEN * float(np.std(better)) * np.sqrt(len(better))
+        return (rms(before), rms(after)) if proven else None
+
+    def held_out_rms(self, found: Sized | None) -> float:
+        """Return the RMS [mm] of readings held out, beside no errors but those that are held where `found` is None."""
+        return rms(lengths(self.held_out(found), self._problem.readings.kind))
+
+    def held_out(self, found: Sized | None) -> Array:
+        """Return the errors (R, k) of readings by fits that have not seen them; nan of gross errors."""
+        whole, n = np.sum(self._grams, axis=0), self._n
+        limbs = () if found is None else found.limbs
+        own = self._places(limbs) if found is not None else np.zeros(0, dtype=int)
+        out = np.full(self._y.shape, np.nan)
+        for test, gram in zip(self._tests, self._grams, strict=True):
+            S, g, _ = self._beside(G := whole - gram)
+            c = np.zeros(0)
+            if found is not None:
+                at = own - n - 1
+                c = np.linalg.solve(S[np.ix_(at, at)] + _pull(found), g[at])
+            H, b = self._geometry(G)
+            u = np.linalg.solve(H, b - G[:n, own] @ c)
+            left = self._y[test] - self._raw[test] @ u
+            for j, values in zip(limbs, c.reshape(-1, 2 * ORDERS), strict=True):
+                i = self._limbs.index(j)
+                left -= self._J[test][:, :, i] * (self._F[i][test] @ values)[:, None]
+            out[test] = left
+        out[~self._quiet] = np.nan
+        return out
+
+
+def _times(roots: Sequence[Array], values: Array) -> Array:
+    """Return L' times the rows of `values` (n, k), joint by joint."""
+    parts = np.split(values, len(roots))
+    return np.concatenate([r[:, None] * v if r.ndim == 1 else r.T @ v for r, v in zip(roots, parts, strict=True)])
+
+
+def _by_roots(roots: Sequence[Array], S: Array) -> Array:
+    """Return L' S L of a symmetric matrix."""
+    return _times(roots, _times(roots, S).T)
+
+
+def _pull(found: Sized) -> Array:
+    """Return what the prior adds to the normal equations (n, n)."""
+    inverse = (np.diag(r**-2.0) if r.ndim == 1 else np.linalg.inv(r @ r.T) for r in found.roots)
+    out: Array = block_diag(*inverse) * (found.noise / found.variance)
+    return out
