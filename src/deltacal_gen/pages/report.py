@@ -44,7 +44,7 @@ from deltacal_gen.results.parts import Source
 from deltacal_gen.results.result import Result, Status
 from deltacal_gen.results.shown import decimals, rounded
 from deltacal_gen.use import firmware
-from deltacal_gen.use.comparison import said_of_errors
+from deltacal_gen.use.comparison import said_of_carried, said_of_errors
 from deltacal_gen.use.unseen import sentences
 
 _COLOURS = {INK: "var(--ink)", MUTED: "var(--muted)", BEFORE: "var(--before)", AFTER: "var(--after)"}
@@ -212,7 +212,7 @@ def calibration(found: Result, left: Left | None = None) -> str:
         parameters=_parameter_rows(found, pinned=True),
         unpinned=_parameter_rows(found, pinned=False),
         unseen=[(sentence, c.text) for sentence, c in zip(sentences(found), found.unidentifiable, strict=True)],
-        errors=said_of_errors(found),
+        errors=[*said_of_errors(found), *said_of_carried(found)],
         gross=", ".join(map(str, found.gross_errors or ())),
     )
 

@@ -12,8 +12,10 @@ from typing import Protocol
 
 import numpy as np
 
+from deltacal_gen.diagnosis import spectrum
 from deltacal_gen.errors import InputError
 from deltacal_gen.files.robot import Robot, robot_of
+from deltacal_gen.identification import carried
 from deltacal_gen.identification.accuracy import check_joints
 from deltacal_gen.machine.differences import between
 from deltacal_gen.machine.registry import SOLVED, mechanism_of
@@ -255,6 +257,16 @@ def _summary(moved: Moved | None, changed: Sequence[Change], same: Sequence[Chan
 def _flattered(found: Result) -> str:
     unit, length = shown_in(found)
     return flattered(found.degrees_of_freedom, found.readings.scalars, found.train_rms_mm / length, unit)
+
+
+def said_of_carried(found: Result) -> list[str]:
+    """Return what became of the effects that another session's diagnosis knows."""
+    told = [*map(spectrum.words, found.never_seen or ())]
+    told += [] if found.continued is None else [carried.words(found.continued)]
+    lost = [
+        f"not held: {e.name} of the diagnosed session: this one lacks {e.missing}" for e in found.physics_not_held or ()
+    ]
+    return [f"{said[0].upper()}{said[1:]}." for said in told + lost]
 
 
 def said_of_errors(found: Result) -> list[str]:

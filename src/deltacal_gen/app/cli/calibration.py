@@ -96,27 +96,15 @@ def identify(
         screen.print(f"written to {output}")
 
 
-def _show_carried(found: Result) -> None:
-    """Print what became of the effects that another session's diagnosis knows."""
-    from deltacal_gen.diagnosis.spectrum import words
-    from deltacal_gen.identification.carried import words as continued
-
-    for joint in found.never_seen or ():
-        screen.print(words(joint))
-    if found.continued is not None:
-        screen.print(continued(found.continued))
-    for effect in found.physics_not_held or ():
-        screen.print(f"{effect.name} of the diagnosed session is not held: this one lacks {effect.missing}")
-
-
 def _show_result(found: Result) -> None:
     """Print a result: errors before and after, parameters, what is not pinned, one line to end with."""
     from deltacal_gen.results.parts import Source
     from deltacal_gen.results.result import Status
     from deltacal_gen.results.shown import decimals, rounded
-    from deltacal_gen.use.comparison import said_of_errors
+    from deltacal_gen.use.comparison import said_of_carried, said_of_errors
 
-    _show_carried(found)
+    for said in said_of_carried(found):
+        screen.print(escaped(said))
     counts = {s: sum(p.status is s for p in found.parameters) for s in Status if s is not Status.FIXED}
     table = Table(title=f"{found.model}: parameters, actual minus robot file", title_justify="left")
     for column in ("parameter", "value", "std", "unit", "status"):
