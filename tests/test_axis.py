@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from conftest import Run
+from scipy.optimize import minimize
 
 import deltacal_gen as dc
 from deltacal_gen.diagnosis.diagnosis import diagnose
@@ -17,7 +18,9 @@ from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import Robot, robot_from_dict, robot_to_toml
 from deltacal_gen.identification.identification import identify
 from deltacal_gen.instrument.kinds import readings
+from deltacal_gen.instrument.kinds.position import read_along
 from deltacal_gen.machine.registry import Array, load_mechanism
+from deltacal_gen.machine.rotation import from_vector
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.use import iso230, prediction, validation
 
@@ -105,6 +108,44 @@ def test_one_coordinate_is_read_along_a_line_that_is_found(robot: Robot, tmp_pat
     blank = dataclasses.replace(made, measured=np.full((made.n_rows, 1), np.nan))
     told = prediction.predict(result, blank)
     assert np.abs(told.measured - made.measured).max() < WIDTH
+
+
+GANTRY = {
+    "robot": {"name": "gantry", "mechanism": "serial"},
+    "geometry": {"tool": [0.0, 0.0, 0.0]},
+    "joint": [{"kind": "prismatic", "a": 0.0, "alpha": alpha, "d": 0.0, "theta": 90.0} for alpha in (90.0, 90.0, 0.0)],
+}
+
+
+@pytest.mark.parametrize("deviations", [0.0, 0.02])
+def test_a_surface_that_is_followed_is_one_coordinate_that_stays(tmp_path: Path, deviations: float) -> None:
+    """A plate that lies askew, touched or read by a dial: such readings passed for metres, along any line in it."""
+    gantry = robot_from_dict(GANTRY)
+    rng = np.random.default_rng(6)
+    first, second = rng.uniform(0.0, 400.0, (2, 40))
+    dial = deviations * rng.standard_normal(40)
+    third = 200.0 + 0.05 * first - 0.03 * second + dial * np.sqrt(1 + 0.05**2 + 0.03**2)
+    third += NOISE * rng.standard_normal(40)
+    rows = (f"{a:.6f},{b:.6f},{c:.6f},{y:.6f}" for a, b, c, y in zip(first, second, third, dial, strict=True))
+    (tmp_path / "plate.csv").write_text("\n".join(["q1_mm,q2_mm,q3_mm,z_mm", *rows]) + "\n")
+    (tmp_path / "plate.toml").write_text(f"[measurement]\nsigma_mm = {NOISE}\n")
+    made = read_recording(tmp_path / "plate.csv", load_mechanism("serial", gantry.links))
+    result = identify(gantry, made).answer()
+    assert result.train_rms_mm < 1.2 * NOISE
+    assert max(abs(p.value) for p in result.parameters) < 0.5  # mm, deg
+
+
+@pytest.mark.parametrize("level", [0.0, 1e-3, 0.3, 1.0, 3.0])
+def test_no_other_direction_reads_one_coordinate_better(level: float) -> None:
+    rng = np.random.default_rng(7)
+    P = rng.standard_normal((30, 3)) * [300.0, 200.0, 5.0] @ from_vector(np.array([0.3, -0.5, 0.2]))
+    P -= P.mean(axis=0)
+    y = level * P @ np.array([0.6, 0.0, 0.8]) + rng.standard_normal(30)
+    y -= y.mean()
+    ours = np.square(y - P @ read_along(P, y)).sum()
+    tried = rng.standard_normal((20, 3))
+    ends = (minimize(lambda n: np.square(y - P @ n / np.linalg.norm(n)).sum(), start).fun for start in tried)
+    assert ours <= min(ends) * (1 + 1e-9)
 
 
 def test_the_gap_at_the_turn_is_named_though_no_column_tells_the_way(robot: Robot, tmp_path: Path) -> None:

@@ -302,6 +302,18 @@ def test_units_are_checked_against_the_machine(read: Any, q_scale: float, x_scal
         check_units(recording, free, load=lambda name: SIZED)
 
 
+@pytest.mark.parametrize(("scale", "zero"), [(1.0, "absolute"), (1e-3, "absolute"), (1e-3, "incremental")])
+def test_a_ball_bar_s_length_hardly_changes_and_is_no_length_in_metres(read: Any, scale: float, zero: str) -> None:
+    """What it spreads over says nothing of its unit; how long it is, does, where it says that."""
+    rows = [f"{q},{-q},{q / 2},{300.1 * scale}" for q in (-40, 10, 50)]
+    sidecar = f'[measurement]\nzero = "{zero}"\nbase_point_mm = [0.0, 0.0, -800.0]\n'
+    recording = read(csv(*rows, header=JOINTS + ",gauge_mm"), sidecar)
+    robot = robot_from_dict({"robot": {"mechanism": "delta"}, "geometry": {"length": 1500.0}}, load=lambda name: SIZED)
+    wrong = scale < 1.0 and zero == "absolute"
+    with pytest.raises(InputError, match="look like metres") if wrong else contextlib.nullcontext():
+        check_units(recording, robot, load=lambda name: SIZED)
+
+
 def test_a_wrist_turns_more_than_once() -> None:
     robot = dc.read_robot(example("serial") / "robot.toml")
     plain = dc.read_recording(example("serial") / "recording.csv", mechanism_of(robot))

@@ -41,11 +41,11 @@ class Gauge(Kind):
             )
 
     def spreads(self, recording: Recording, joints: Array) -> Iterator[tuple[str, float, float]]:
-        """Yield the spread of the lengths."""
+        """Yield the longest length; nothing of one that counts from the first: a ball bar's hardly moves."""
         rows = np.isfinite(recording.measured[:, 0])
-        if rows.any():
-            spread = float(np.ptp(recording.measured[rows, 0]))
-            yield recording.columns[0], spread, float(np.ptp(joints[rows], axis=0).max())
+        if rows.any() and recording.measurement.zero != "incremental":
+            longest = float(np.abs(recording.measured[rows, 0]).max())
+            yield recording.columns[0], longest, float(np.ptp(joints[rows], axis=0).max())
 
     def with_values(self, recording: Recording, found: Readings, values: Array, rotations: Array | None) -> Recording:
         """Return the recording with these lengths; incremental ones count from the first row."""

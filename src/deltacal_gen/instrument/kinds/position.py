@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
+from scipy.optimize import brentq
 
 from deltacal_gen.instrument.facts import Look
 from deltacal_gen.instrument.kind import Frame, Instrument, Kind, Readings
@@ -16,6 +17,7 @@ from deltacal_gen.machine.registry import Array, Machine
 from deltacal_gen.machine.rotation import align, from_vector, to_vector
 from deltacal_gen.machine.values import Measurement, Recording, Robot
 
+NEXT = 1e-12  # of a number: as near to it as divisions bear
 SEEN = 1e-6  # of the length of a line: points that lie so near it do not show how it turns
 IDENTITY = np.concatenate([np.eye(3).ravel(), np.zeros(3)])  # a frame that is {O}
 
@@ -57,6 +59,31 @@ def _line(P: Array) -> Array:
     return line * np.sign(line[np.argmax(np.abs(line))])
 
 
+def read_along(P: Array, y: Array) -> Array:
+    """Return the direction (3,) along which points (N, 3) have coordinates (N,) best; both count from their means.
+
+    Least squares on the unit sphere (Gander, Golub, von Matt 1989), along directions that the points show: without its
+    length, the line of points on a surface that is read level would lie in that surface.
+    """
+    U, sizes, V = np.linalg.svd(P, full_matrices=False)
+    shown = sizes > SEEN * sizes[:1]
+    U, sizes, V = U[:, shown], sizes[shown], V[shown]
+    if not len(sizes):
+        return np.zeros(3)
+    wanted = sizes * (U.T @ y)
+
+    def longer(shift: float) -> float:
+        return float(np.linalg.norm(wanted / (sizes**2 - shift))) - 1.0
+
+    last = float(sizes[-1] ** 2) * (1.0 - NEXT)
+    first = last - float(np.linalg.norm(wanted)) - 1.0
+    own = wanted / (sizes**2 - (brentq(longer, first, last) if longer(last) > 0 else last))
+    rest = max(1.0 - float(own[:-1] @ own[:-1]), 0.0)  # the direction that shows least takes what no shift gives
+    own[-1] = np.copysign(np.sqrt(rest), own[-1])
+    line: Array = own @ V
+    return line
+
+
 def frame_of(line: Array, k: int) -> Array:
     """Return a rotation (3, 3) whose axis k lies along a line (3,)."""
     size = np.linalg.norm(line)
@@ -85,8 +112,13 @@ class Position(Kind):
         return tuple(there) if len(there) == 1 else columns
 
     def spreads(self, recording: Recording, joints: Array) -> Iterator[tuple[str, float, float]]:
-        """Yield the spread of the points of each set-up: each has a frame of its own."""
+        """Yield the spread of the points of each set-up: each has a frame of its own.
+
+        One coordinate of a machine that moves in several may stay what it is: a surface is followed.
+        """
         points = recording.measured[:, [name.endswith("_mm") for name in recording.columns]]
+        if points.shape[1] == 1 and np.count_nonzero(np.ptp(joints, axis=0)) > 1:
+            return
         for setup in np.unique(recording.setup):
             rows = (recording.setup == setup) & np.isfinite(points).all(axis=1)
             if rows.any():
@@ -164,8 +196,7 @@ class Position(Kind):
                 continue
             P, y = x[found.rows[chosen, 0], :3], found.values[chosen, k]
             away = P - P.mean(axis=0)
-            line = np.linalg.lstsq(away, y - y.mean(), rcond=SEEN)[0]
-            turn = frame_of(line, k)
+            turn = frame_of(read_along(away, y - y.mean()), k)
             state[s, :9] = turn.ravel()
             state[s, 9 + k] = y.mean() - turn[k] @ P.mean(axis=0)
             across = away @ turn.T  # turned about one axis the line sweeps along the other
