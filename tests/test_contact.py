@@ -2,17 +2,25 @@
 
 from __future__ import annotations
 
+import dataclasses
 from pathlib import Path
 
 import numpy as np
 import pytest
+from conftest import Run
 from test_serial import by_hand, robot
 
 from deltacal_gen.app import commands
+from deltacal_gen.diagnosis.candidates import candidates
+from deltacal_gen.diagnosis.library import library
 from deltacal_gen.errors import InputError
+from deltacal_gen.estimation.fit import fit
+from deltacal_gen.estimation.problem import pose_problem
+from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import robot_to_toml
 from deltacal_gen.machine.registry import mechanism_of
+from deltacal_gen.physics.terms import blank
 from deltacal_gen.units import DEG
 
 TRUTH = {"a_2": 0.4, "theta_2": 0.08 * DEG, "d_4": -0.3, "theta_5": -0.1 * DEG, "tx": 0.5, "tz": -0.4}
@@ -67,6 +75,50 @@ def test_a_ball_in_sockets_calibrates_an_arm(tmp_path: Path) -> None:
     assert across == pytest.approx(np.linalg.norm(np.subtract(SOCKETS["front0"], SOCKETS["left0"])), abs=0.05)
     elsewhere = touched(tmp_path, {"new0": (200.0, 400.0, 300.0), "new1": (200.0, 450.0, 300.0)}, sigma=2e-6, seed=2)
     assert commands.validate(tmp_path / "result.json", elsewhere)["rms_mm"] < 0.02
+
+
+def test_what_to_touch_next_are_the_points_that_were_touched(tmp_path: Path) -> None:
+    """A diagnosis of contacts with a question left open was refused: nothing could be read at poses drawn anywhere."""
+    two = {name: SOCKETS[name] for name in ("front0", "front1")}
+    path = touched(tmp_path, two, sigma=2e-6, seed=5)
+    r, made = robot(), read_recording(path, mechanism_of(robot()))
+    at = fit(pose_problem(r, made, mechanism_of(r).model("serial/dh")), Prior(), must_converge=False)
+    found = candidates(at, [blank("transmission_eccentricity", (3,), (7.0,))], np.random.default_rng(0))
+    assert len(found.ends) > 100
+    taken = found.problem.recording
+    m = mechanism_of(r)
+    x, _ = m.forward(r.joint_sign * taken.joints, r.tool, m.rows(r, at.errors[: len(m.parameters)]))
+    for point in at.instrument.kind.points(at.instrument, made):
+        own = found.ends[taken.contact[found.ends[:, 0]] == point.name, 0]
+        assert len(own) > 20
+        assert np.abs(x[own, :3] - point.position_mm).max() < 0.01
+    assert found.to_rows([0])[0]["contact"] in two
+
+
+def test_contacts_count_in_millimetres_and_lose_no_target(tmp_path: Path, run: Run) -> None:
+    """Figures stood in `contact`, and rows that belong to other sockets were said to repeat the reading before."""
+    path = touched(tmp_path, {n: SOCKETS[n] for n in ("front0", "left0", "high0")}, sigma=2e-6, seed=6)
+    path.with_suffix(".toml").unlink()
+    _, out, _ = run("identify", tmp_path / "robot.toml", path)
+    assert " mm, held-out" in " ".join(out.split())
+    lines = path.read_text().splitlines()
+    names = [line.partition(",")[0] for line in lines[1:]]
+    mixed = np.random.default_rng(7).permutation(names)
+    wrong = [f"{n},{line.partition(',')[2]}" for n, line in zip(mixed, lines[1:], strict=True)]
+    path.write_text("\n".join([lines[0], *wrong]) + "\n")
+    code, _, err = run("identify", tmp_path / "robot.toml", path)
+    assert code == 3
+    assert "lost its target" not in err
+
+
+def test_a_point_that_is_read_once_has_no_place_of_its_own(tmp_path: Path) -> None:
+    """What a camera in the hand sees of a ball is another point at each pose: each would explain its reading."""
+    path = touched(tmp_path, {n: SOCKETS[n] for n in ("front0", "front1")}, sigma=2e-6, seed=8)
+    made = read_recording(path, mechanism_of(robot()))
+    for poses, tested in ((1, False), (20, True)):
+        tool = robot().tool + np.repeat(np.arange(made.n_rows // poses), poses)[:, None]
+        problem = pose_problem(robot(), dataclasses.replace(made, tool=tool), mechanism_of(robot()).model("serial/dh"))
+        assert ("instrument_offset" in {t.effect for t in library(problem)[0]}) == tested
 
 
 def test_contacts_need_their_names(tmp_path: Path) -> None:

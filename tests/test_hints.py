@@ -8,11 +8,12 @@ import numpy as np
 import pytest
 from scipy.signal import lfilter
 
+from deltacal_gen.app.cli.calibration import show_diagnosis
 from deltacal_gen.diagnosis import hints, strategy
 from deltacal_gen.diagnosis.answer import Diagnosed
 from deltacal_gen.diagnosis.charges import MARGIN
 from deltacal_gen.diagnosis.diagnosis import diagnose
-from deltacal_gen.diagnosis.discrimination import NO_POSES
+from deltacal_gen.diagnosis.discrimination import NO_POSES, NONE_SO_FAR
 from deltacal_gen.diagnosis.evidence import MOST_WRONG, Evidence, evidence
 from deltacal_gen.diagnosis.hints import hinted
 from deltacal_gen.diagnosis.library import library
@@ -188,6 +189,15 @@ def test_what_no_poses_decide_is_not_promised_to_be_decided(weak: Diagnosed) -> 
     told = dataclasses.replace(weak, next_measurements=none).answer().summary
     assert promised not in told
     assert "poses of this machine would not decide it" in told
+
+
+def test_brackets_of_a_robot_file_s_tables_are_printed(weak: Diagnosed, capsys: pytest.CaptureFixture[str]) -> None:
+    """They were read as markup: `limits_deg or limits_mm under  in the robot file`."""
+    none = tuple(n.replace(poses=(), text=NONE_SO_FAR) for n in weak.next_measurements)
+    told = dataclasses.replace(weak, next_measurements=none).answer()
+    assert "poses within what the joints have moved would not decide it" in told.summary
+    show_diagnosis(told)
+    assert "under [joints] in the robot file" in " ".join(capsys.readouterr().out.split())
 
 
 def test_hints_stand_on_the_page_with_what_decides(weak: Diagnosed) -> None:

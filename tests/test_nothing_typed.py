@@ -71,6 +71,7 @@ FUNCTIONS = {
     "instrument/kinds/pose.py:Pose.start": "one measured rotation by another",
     "instrument/kinds/position.py:Position._aligned": "a cloud of points, turned and shifted",
     "instrument/kinds/position.py:Position._along_a_line": "points along the line that fits one coordinate best",
+    "instrument/kinds/position.py:read_along": "least squares on the unit sphere (Gander, Golub, von Matt 1989)",
     "instrument/kinds/sphere.py:Sphere.drawn": "a camera of a simulation is hung up before the machine",
     "instrument/kinds/sphere.py:Sphere.imagined": "how far along the optical axis a ball stands",
     "instrument/kinds/sphere.py:Sphere.start": "points in the camera's frame, by the rotation that was found",

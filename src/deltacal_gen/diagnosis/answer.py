@@ -11,7 +11,7 @@ import numpy as np
 
 from deltacal_gen.diagnosis.chance import Chance
 from deltacal_gen.diagnosis.correction import POSITION, Correction
-from deltacal_gen.diagnosis.discrimination import NO_POSES, more_poses
+from deltacal_gen.diagnosis.discrimination import NO_POSES, NONE_SO_FAR, more_poses
 from deltacal_gen.diagnosis.findings import Named
 from deltacal_gen.diagnosis.harmonics import order_of
 from deltacal_gen.diagnosis.laws.laws import Lawful
@@ -452,10 +452,10 @@ def _hinted(found: Diagnosed) -> str:
     why = why if all(h.earned for h in shown) else "is not proven"
     names = {h.name for h in shown}
     asked = [n.text for n in found.next_measurements if n.separates and n.separates[0] in names]
-    hopeless = bool(asked) and all(text == NO_POSES for text in asked)
-    decides = (
-        ", and poses of this machine would not decide it" if hopeless else ": what to measure next would decide it"
-    )
+    decides = ": what to measure next would decide it"
+    if asked and {*asked} <= {NO_POSES, NONE_SO_FAR}:
+        which = "of this machine" if NO_POSES in asked else "within what the joints have moved"
+        decides = f", and poses {which} would not decide it"
     return f" There may {'' if calm else 'also '}be {told}{more}, which {why}{decides}."
 
 

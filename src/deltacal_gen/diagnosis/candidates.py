@@ -72,6 +72,8 @@ class Candidates:
                 row |= joints_of(recording, k, end)
             if len(recording.setup_names) > 1:
                 row["setup"] = recording.setup_names[recording.setup[ends[0]]]
+            if recording.contact is not None:
+                row["contact"] = str(recording.contact[ends[0]])
             if recording.tool is not None:
                 row |= {f"tool_{a}_mm": float(v) for a, v in zip("xyz", recording.tool[ends[0]], strict=True)}
             values = {name: float(recording.channels[name][ends[0]]) for name in self.told}
@@ -108,6 +110,11 @@ def candidates(at: Fit, terms: Sequence[Term], rng: np.random.Generator, stated:
     if two:
         like[1::2] = like[::2]  # channels and measured point hold for both ends
     drawn_joints = _drawn(at, problem.body.tool[like], rng)
+    touched = at.instrument.kind.points(at.instrument, recording)
+    which = rng.integers(len(touched), size=CANDIDATES) if touched else None
+    if which is not None:
+        places = np.array([p.position_mm for p in touched])[which]
+        drawn_joints = _touching(at, places, problem.body.tool[like], drawn_joints)
     unit = np.array(joint_factors(recording.joint_unit, drawn_joints.shape[1]))
     joints = np.round(drawn_joints / unit, DECIMALS) * unit
     channels = {name: _given(values)[like].copy() for name, values in recording.channels.items()}
@@ -132,6 +139,7 @@ def candidates(at: Fit, terms: Sequence[Term], rng: np.random.Generator, stated:
         channels=channels,
         setup=np.full(CANDIDATES, recording.setup[-1]),
         tool=None if recording.tool is None else problem.body.tool[like],
+        contact=None if which is None else np.array([p.name for p in touched])[which],
         pairs=np.arange(CANDIDATES).reshape(-1, 2) if two else None,
     )
     body = Body(
@@ -141,7 +149,9 @@ def candidates(at: Fit, terms: Sequence[Term], rng: np.random.Generator, stated:
         problem.body.tool[like],
         dataclasses.replace(Channels.of(rows, robot), order=np.full(CANDIDATES, float(recording.n_rows))),
     )
-    whole = dataclasses.replace(problem, recording=rows, body=body, readings=kind_of(rows.kind).unread(rows))
+    kind = kind_of(rows.kind)
+    wanted = kind.readings(rows, np.arange(CANDIDATES)) if touched else kind.unread(rows)
+    whole = dataclasses.replace(problem, recording=rows, body=body, readings=wanted)
     machine, status = body.solve(whole.split(at.errors)[0], whole.acting(at.errors))
     fit_for_use = _allowed(problem, joints)
     if not whole.readings.kind.sees_joints:  # else joints are within their limits, wherever that leads
@@ -174,6 +184,23 @@ def _drawn(at: Fit, tool: Array, rng: np.random.Generator) -> Array:
     q, _, status = mechanism.inverse(targets, tool, mechanism.rows(robot, at.errors[: len(mechanism.parameters)]))
     solved = status == SOLVED
     return np.where(solved[:, None], robot.joint_sign * np.nan_to_num(q), anywhere)
+
+
+def _touching(at: Fit, places: Array, tool: Array, near: Array) -> Array:
+    """Return joints (C, n_q) at which points (C, 3) are touched, near those given; nan where there are none.
+
+    A chain turns about a point as its joints stand; other machines come to it in one way.
+    """
+    problem, mechanism, sign = at.problem, at.problem.mechanism, at.problem.robot.joint_sign
+    rows = mechanism.rows(problem.robot, at.errors[: len(mechanism.parameters)])
+    if mechanism.many_ways:
+        q, status = mechanism.follow(places, sign * near, tool, rows)
+    else:
+        q, _, status = mechanism.inverse(places, tool, rows)
+    lower, upper = _joint_range(problem)
+    joints = sign * q
+    there = (status == SOLVED) & ((joints >= lower) & (joints <= upper)).all(axis=1)
+    return np.where(there[:, None], joints, np.nan)
 
 
 def _allowed(problem: Problem, joints: Array) -> np.ndarray:

@@ -96,7 +96,7 @@ def _constant(problem: Problem, name: str) -> str | None:
     if kernels.ACTS_ON == "reading" and not any(t in kind.targets for t in kernels.TARGETS):
         return f"readings of another kind than {kind.name}"
     if displaces_points(kernels) and len(_tools(problem)) < 2:
-        return "readings of a second point of the platform"
+        return "readings of a second point of the platform, at two poses or more"
     if not kernels.STATE and all(t.startswith("limb.") for t in kernels.TARGETS):
         moves = problem.mechanism.moves(problem.robot)
         moved = {error for t in kernels.TARGETS for error in moves.get(t[5:], {})}
@@ -126,8 +126,12 @@ def _differs(problem: Problem, channel: State, rows: np.ndarray) -> bool:
 
 
 def _tools(problem: Problem) -> list[Point]:
+    """Return the points that are read at more than one pose: where one sits that was read once, is what it reads."""
     used = np.unique(problem.readings.rows)
-    return [(x, y, z) for x, y, z in np.unique(np.round(problem.body.tool[used], 9), axis=0).tolist()]
+    points, point = np.unique(np.round(problem.body.tool[used], 9), axis=0, return_inverse=True)
+    of_pose = np.unique(np.column_stack([point.ravel(), problem.body.q[used]]), axis=0)[:, 0]
+    often = np.bincount(of_pose.astype(int), minlength=len(points)) > 1
+    return [(x, y, z) for x, y, z in points[often].tolist()]
 
 
 def _forms(problem: Problem, name: str) -> list[tuple[Constant, ...]]:

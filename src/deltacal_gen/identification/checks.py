@@ -232,8 +232,10 @@ def all_but_one(first: Fit) -> np.ndarray | None:
 def _stood_still(problem: Problem) -> None:
     """Raise an InputError where an instrument wrote its last reading on, in every number, while joints moved."""
     found, joints = problem.readings, problem.body.q[problem.readings.rows[:, 0]]
-    if found.values.shape[1] < 2 or found.rows.shape[1] > 1:
-        return  # one length or height may well be read twice
+    if np.isfinite(found.values).any(axis=0).sum() < 2 or found.rows.shape[1] > 1:
+        return  # one length, height or coordinate may well be read twice
+    if not found.kind.numbers or found.kind.aims == "touch":
+        return  # what was touched may be touched again
     again = (np.nan_to_num(found.values[1:]) == np.nan_to_num(found.values[:-1])).all(axis=1)
     again &= (joints[1:] != joints[:-1]).any(axis=1)
     if again.sum() < FEWEST_COPIES:

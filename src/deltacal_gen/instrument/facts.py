@@ -174,8 +174,11 @@ class Facts:
         return unit
 
     def unit_in(self, columns: Collection[str]) -> str:
-        """Return the unit in files of readings in some columns, in which their noise counts; mm where some are."""
-        units = {name.rpartition("_")[2] for name in columns}
+        """Return the unit in files of readings in some columns, in which their noise counts; mm where some are.
+
+        A column that says none holds names, of what was touched.
+        """
+        units = {unit for said, _, unit in (name.rpartition("_") for name in columns) if said}
         return "mm" if "mm" in units or not units else min(units)
 
     @property

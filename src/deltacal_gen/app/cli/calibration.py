@@ -130,7 +130,7 @@ def _show_result(found: Result) -> None:
             f"tool position known to {w.median_mm:.3f} mm over the workspace, {w.worst_mm:.3f} at worst (1 std)"
         )
     if found.uncertainty is not None and found.uncertainty.left_out:
-        screen.print(found.uncertainty.text, style="dim")
+        screen.print(escaped(found.uncertainty.text), style="dim")
     held = found.heldout_rms_mm
     unit, length = shown_in(found)
     # nothing was held out of blocks
@@ -142,7 +142,7 @@ def _show_result(found: Result) -> None:
         f"(noise {decimals(found.sigma_mm / length)}, {found.sigma_source})"
     )
     for said in said_of_errors(found):
-        screen.print(said)
+        screen.print(escaped(said))
     if firmware := found.firmware:
         screen.print(
             f"beside it, what firmware fits ({firmware.model}): {decimals(firmware.train_rms_mm)} mm, "
@@ -163,12 +163,12 @@ def _show_not_pinned(found: Result) -> None:
         shown = found.unidentifiable[:4]
         screen.print("[bold]Not pinned by these readings[/bold]; the robot file's values hold along them:")
         for c, sentence in zip(shown, sentences(found), strict=False):
-            screen.print(f"  - {sentence or c.text}")
+            screen.print(f"  - {escaped(sentence or c.text)}")
         if len(found.unidentifiable) > len(shown):
             screen.print(f"  - and {len(found.unidentifiable) - len(shown)} more, in the result file")
     for m in found.next_measurements[:2]:
         pins = "" if m.open_mm is not None else f" would pin {m.pins} of the {m.of} free directions"
-        screen.print(f"  + {m.measurement}{pins}")
+        screen.print(f"  + {escaped(m.measurement)}{pins}")
 
 
 def diagnose(
@@ -251,11 +251,11 @@ def show_diagnosis(found: Diagnosis) -> None:
     screen.print(table)
     for hint in found.hints:
         where = escaped(at(robot, hint.limbs))
-        screen.print(f"  may be there, p = {hint.p_value:.2g}: {hint.name}{where}; it {hint.why}")
+        screen.print(f"  may be there, p = {hint.p_value:.2g}: {hint.name}{where}; it {escaped(hint.why)}")
     for question in found.next_measurements:
         clear = question.expected_chi2
         promise = "" if clear is None else f" (expected difference in chi2: {clear:.0f})"
-        screen.print(f"  next, {question.why}: {question.text}{promise}")
+        screen.print(f"  next, {escaped(question.why)}: {escaped(question.text)}{promise}")
     for missing in dict.fromkeys(other.missing for other in found.not_tested):
         names = ", ".join(other.name for other in found.not_tested if other.missing == missing)
         screen.print(f"  not tested: {names}, for want of {escaped(missing)}")

@@ -196,7 +196,7 @@ def predict(
     else:
         screen.print(f"{rows} readings of the kind {done.kind} predicted in {output}")
         for words in told:
-            screen.print(words)
+            screen.print(escaped(words))
         share = done.channels.get(CORRECTED)
         if share is not None and (share < 1).any():
             screen.print(
@@ -229,11 +229,11 @@ def _show_validation(found: Validation) -> None:
     """Print the error against the noise, and what is said of it."""
     from deltacal_gen.diagnosis.spectrum import words
 
-    screen.print(found.headline)
+    screen.print(escaped(found.headline))
     if found.gross_errors:
         screen.print(f"points found wrongly in lines {', '.join(map(str, found.gross_errors))}: no figure counts them")
     for p in found.placed or ():
-        screen.print(p.sentence)
+        screen.print(escaped(p.sentence))
     if found.outside_law:
         screen.print(f"{found.outside_law} rows lie outside the range in which the law was found")
     for joint in found.never_seen:
