@@ -399,11 +399,15 @@ def _amplitude(standing: Standing) -> str:
 
 
 def _alike(effects: Sequence[Named]) -> str:
-    """Return what these poses cannot tell apart, how little speaks for what is named, and what decides."""
+    """Return what these poses cannot tell apart, how little speaks for what is named, and what decides.
+
+    What the sign of a column would decide is told before.
+    """
+    others = [(n, [name for name in n.alike if name not in n.turned]) for n in effects if n.fundamental is None]
     told = [
-        f"{n.term.effect} from {' or '.join(n.alike)}" + (f" (odds {_odds(n.lead)} to 1 for it)" if n.rivals else "")
-        for n in effects
-        if n.alike and n.fundamental is None
+        f"{n.term.effect} from {' or '.join(alike)}" + (f" (odds {_odds(n.lead)} to 1 for it)" if n.rivals else "")
+        for n, alike in others
+        if alike
     ]
     return f" These poses cannot tell {'; '.join(told)}: what to measure next decides." if told else ""
 
@@ -453,8 +457,8 @@ def _hinted(found: Diagnosed) -> str:
     names = {h.name for h in shown}
     asked = [n.text for n in found.next_measurements if n.separates and n.separates[0] in names]
     decides = ": what to measure next would decide it"
-    if asked and {*asked} <= {NO_POSES, NONE_SO_FAR}:
-        which = "of this machine" if NO_POSES in asked else "within what the joints have moved"
+    if asked and all(text.startswith((NO_POSES, NONE_SO_FAR)) for text in asked):
+        which = "of this machine" if asked[0].startswith(NO_POSES) else "within what the joints have moved"
         decides = f", and poses {which} would not decide it"
     return f" There may {'' if calm else 'also '}be {told}{more}, which {why}{decides}."
 

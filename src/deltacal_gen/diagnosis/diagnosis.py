@@ -26,6 +26,7 @@ from deltacal_gen.diagnosis.discrimination import Question, next_measurements
 from deltacal_gen.diagnosis.findings import (
     AMBIGUOUS,
     Named,
+    beside_turned,
     location_of,
     named_of,
     only_turned,
@@ -128,7 +129,7 @@ def diagnose(
     unexplained |= _left_beside(lawful, current)
     heldout = heldout if spectrum is None else (heldout[0], spectrum.heldout[1])
     known = stated(current, recording, explained=not unexplained)
-    named = named_of(search, current, heldout, known.sigma, spectrum)
+    named = beside_turned(named_of(search, current, heldout, known.sigma, spectrum), found.considered)
     chance = Chance(Search(_beside_noise_of(search.fit, first), terms), np.random.default_rng(SEED))
     # where a law sits is told as it showed, without the law
     of, shows = (found.search.fit, found.left) if lawful else (search.fit, left)
@@ -154,7 +155,7 @@ def diagnose(
         spectrum=spectrum,
         lean=lean,
         laws=lawful,
-        turned=turned_of(robot, found.considered) if lawful or unexplained else "",
+        turned=turned_of(robot, found.considered) if lawful or unexplained or any(n.turned for n in named) else "",
         doubts=(*doubt, *checks.doubted(problem, current)),
     )
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from deltacal_gen.diagnosis.chance import Chance
-from deltacal_gen.diagnosis.charges import MARGIN
+from deltacal_gen.diagnosis.charges import AS_GOOD, MARGIN
 from deltacal_gen.diagnosis.library import unseen
 from deltacal_gen.diagnosis.refits import form, terms_of
 from deltacal_gen.diagnosis.scattering import scattering
@@ -58,7 +58,8 @@ class Named:
     effects that could, through a channel that was not recorded or did not vary. `of_constant` is the standard
     deviation of a constant that was searched. `lead` is by how much the score exceeds that of the best rival. A
     harmonic names its `fundamental`, with which it is one finding: score and rivals are of all its waves together.
-    `elsewhere` has the limbs in whose place others explain as much, and these.
+    `elsewhere` has the limbs in whose place others explain as much, and these; `turned` an effect that would do as much
+    if the direction of approach counted the other way.
     """
 
     term: Term
@@ -72,11 +73,12 @@ class Named:
     lead: float = np.inf
     fundamental: Term | None = None
     elsewhere: dict[int, tuple[int, ...]] = dataclasses.field(default_factory=dict)
+    turned: tuple[str, ...] = ()
 
     @property
     def alike(self) -> tuple[str, ...]:
         """Names of the effects that the readings cannot tell from it."""
-        return (*(t.effect for t in self.rivals), *self.unrecorded)
+        return (*(t.effect for t in self.rivals), *self.unrecorded, *self.turned)
 
 
 def location_of(
@@ -249,14 +251,23 @@ def _warmings(time: Array) -> list[Array]:
 
 
 def turned_by(considered: Sequence[Found]) -> tuple[str, Doubt] | None:
-    """Return the effect that would explain the most if the direction of approach counted the other way; None if none.
+    """Return the effect that would explain as much as any if approach counted the other way; None if none.
 
     Readings of which the column has the wrong sign look like play of less than nothing.
     """
     most = max((f.gain for f in considered), default=0.0)
     sizes = [(f.term.effect, f.doubt) for f in considered if f.doubt and f.doubt.beyond.turned]
     found = max(sizes, key=lambda s: s[1].gain, default=None)
-    return None if found is None or found[1].gain < max(most, MARGIN) else found
+    return None if found is None or found[1].gain < max(most - AS_GOOD, MARGIN) else found
+
+
+def beside_turned(named: Sequence[Named], considered: Sequence[Found]) -> tuple[Named, ...]:
+    """Return names with the effect of `turned_by`, where they explain as much: a jump as a joint turned back."""
+    found = turned_by(considered)
+    if found is None:
+        return tuple(named)
+    as_much = {f.term.effect for f in considered if abs(f.gain - found[1].gain) < AS_GOOD}
+    return tuple(dataclasses.replace(n, turned=(found[0],)) if n.term.effect in as_much else n for n in named)
 
 
 def turned_of(robot: Robot, considered: Sequence[Found]) -> str:

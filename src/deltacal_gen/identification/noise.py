@@ -9,7 +9,7 @@ import numpy as np
 
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.residuals import lengths
-from deltacal_gen.identification.repeats import ENOUGH, of_one_point, repeats
+from deltacal_gen.identification.repeats import ENOUGH, of_one_point, repeats, within_poses
 from deltacal_gen.identification.rounding import rounding_of
 from deltacal_gen.identification.tails import NO_TAILS, Tails, tails_of
 from deltacal_gen.machine.registry import Array
@@ -190,9 +190,10 @@ def _spread(r: Array) -> float:
 
 
 def lack_of_fit(final: Fit, recording: Recording) -> bool:
-    """Tell whether what a fit leaves is more than a noise known beforehand, each as uncertain as it is."""
+    """Tell whether what a fit leaves is more than a noise known beforehand, or shown within poses."""
     known = noise(final, recording)
-    return known.source is not Source.RESIDUAL and (_more(final, known) or alike_at_a_pose(final, recording))
+    more = known.source is not Source.RESIDUAL and _more(final, known)
+    return more or alike_at_a_pose(final, recording)
 
 
 def merely_more(final: Fit, recording: Recording) -> bool:
@@ -201,7 +202,8 @@ def merely_more(final: Fit, recording: Recording) -> bool:
     Repeats do not err so: what they do not show is no noise.
     """
     known = noise(final, recording)
-    return not known.repeated and coordinate_sigma(final) < MISTAKEN * known.sigma
+    declared = known.source is Source.DECLARED and not known.repeated
+    return declared and coordinate_sigma(final) < MISTAKEN * known.sigma
 
 
 def _more(final: Fit, known: Noise) -> bool:
@@ -214,14 +216,18 @@ def alike_at_a_pose(final: Fit, recording: Recording) -> bool:
 
     Among many readings of few poses it hardly adds to what all of them leave: means of poses tell (lack of fit against
     pure error). As much again as the noise is demanded, since what happens between two visits of a pose is in neither;
-    what rounding of joints or readings comes to is shared by repeats as well, and no lack.
+    what rounding of joints or readings comes to is shared by repeats as well, and no lack. Where repeats are too few to
+    tell the noise, or channels differed among them, it is no more than all that differs within a pose.
     """
-    known = _known(final, recording)
-    if known.source is not Source.REPEATS or final.repeats.series is not None:
+    known, shown = _known(final, recording), repeats(final, recording)
+    if known.source is Source.RESIDUAL:
+        shown = within_poses(final)
+        known = Noise(float(np.sqrt(shown.variance)), Source.REPEATS, float(shown.degrees), repeated=True)
+    if known.source is not Source.REPEATS or final.repeats.series is not None or not shown.variance:
         return False
     from scipy.special import fdtrc
 
-    found, shown = final.problem.readings, repeats(final, recording)
+    found = final.problem.readings
     r = np.delete(lengths(final.residual, found.kind), final.gross, axis=0)
     group = np.unique(np.delete(of_one_point(found), final.gross), return_inverse=True)[1]
     count = np.bincount(group)

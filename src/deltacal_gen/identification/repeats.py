@@ -70,6 +70,14 @@ def repeats(final: Fit, recording: Recording) -> Shown:
     return (_smoothed(final, quiet, same[quiet], r, channels) if known else None) or alike
 
 
+def within_poses(final: Fit) -> Shown:
+    """Return the spread within poses whatever the channels were: noise is no more than that."""
+    found = final.problem.readings
+    quiet = np.setdiff1d(np.arange(len(found)), final.gross)
+    r, group = np.nan_to_num(lengths(final.residual, found.kind))[quiet], of_one_point(found)[quiet]
+    return Shown(r, group, *Repeats.ratio_of(r, group)[1:])
+
+
 def of_one_point(found: Readings) -> np.ndarray:
     """Return groups (R,) of readings of one pose and of the same point: those of a printed board see others."""
     if found.known is None:

@@ -34,7 +34,7 @@ class Encoder(Kind):
     sums: ClassVar[Mapping[str, tuple[str, str]]] = {
         "enc_zero": (
             "the zero of joint {number}",
-            "put joint {number} to a mark or stop whose angle the drawing gives, to {own:.2g} {unit}, and read both",
+            "put joint {number} to a mark or stop whose place the drawing gives, to {own:.2g} {unit}, and read both",
         )
     }
 
