@@ -165,6 +165,16 @@ def test_a_surface_that_is_followed_is_one_coordinate_that_stays(tmp_path: Path,
     result = identify(gantry, made).answer()
     assert result.train_rms_mm < 1.2 * NOISE
     assert max(abs(p.value) for p in result.parameters) < 0.5  # mm, deg
+    (tmp_path / "plate.toml").unlink()
+    bare = read_recording(tmp_path / "plate.csv", load_mechanism("serial", gantry.links))
+    if not deviations:
+        with pytest.raises(InputError, match="folded flat onto it") as told:
+            diagnose(gantry, bare)
+        assert "sigma_mm" in str(told.value)
+        return
+    blind = diagnose(gantry, bare).answer()
+    assert not blind.effects
+    assert "zero of their own" not in repr(blind)
 
 
 @pytest.mark.parametrize("level", [0.0, 1e-3, 0.3, 1.0, 3.0])

@@ -182,6 +182,7 @@ def plausible(first: Fit) -> None:
     if off < IMPLAUSIBLE * max(robot_size(problem.robot), spread):
         _zeros(first)
         return
+    _all_the_same(problem)
     explained = _explained(problem, off) if found.kind.positions else []
     if explained:
         raise InputError(
@@ -198,6 +199,27 @@ def plausible(first: Fit) -> None:
             "the columns of the recording with what was measured, and of which point.",
             file=problem.recording.path,
         )
+
+
+def _all_the_same(problem: Problem) -> None:
+    """Raise an InputError where one coordinate never changes, its noise is not said, and the machine fell into it.
+
+    Any machine folded flat fits a surface without error: what is left says nothing of the noise, nor of mistakes.
+    """
+    found, said = problem.readings, problem.recording.measurement
+    if (
+        not found.kind.positions
+        or len(found.components) > 1
+        or said.sigma_mm is not None
+        or np.nanstd(found.values) > 0
+    ):
+        return
+    raise InputError(
+        "all readings are the same, as of a surface that was followed: a machine folded flat onto it would fit "
+        "them without any error, so that their noise cannot be told from them.",
+        "Say under [measurement] in the sidecar how well the surface was followed, sigma_mm.",
+        file=problem.recording.path,
+    )
 
 
 def all_but_one(first: Fit) -> np.ndarray | None:
@@ -276,7 +298,8 @@ def zeroed(at: Fit) -> tuple[str, ...]:
     problem, said = at.problem, at.problem.recording.measurement
     freed = dataclasses.replace(said, zero="incremental")
     other = dataclasses.replace(problem, recording=dataclasses.replace(problem.recording, measurement=freed))
-    if said.zero == freed.zero or at.rms() < EXACT * robot_size(problem.robot):
+    counted = problem.readings.kind.in_differences(freed) and said.zero != freed.zero
+    if not counted or at.rms() < EXACT * robot_size(problem.robot):
         return ()
     begun = other.begin(at.errors, at.machine)
     unknown = at.solution.degrees + begun.n_unknown + SPARE_READINGS
@@ -470,9 +493,9 @@ def _aligned_error(problem: Problem) -> float:
 
 
 def _spread(problem: Problem) -> float:
-    """Return what readings spread over, in their own unit."""
+    """Return what readings spread over, in their own unit; one of those that are all the same, as of a surface."""
     found = problem.readings
-    return float(np.linalg.norm(np.nanstd(found.values[:, [c for c in found.components if c < 3]], axis=0)))
+    return float(np.linalg.norm(np.nanstd(found.values[:, [c for c in found.components if c < 3]], axis=0))) or 1.0
 
 
 def _mistakes(problem: Problem) -> Iterator[tuple[str, Problem]]:
