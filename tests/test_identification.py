@@ -94,6 +94,20 @@ def test_a_gauge_is_found_where_it_is_and_not_where_the_sidecar_says(robot: Robo
     assert values(predict(found.answer(), fresh)) == pytest.approx(values(fresh), abs=1e-6)
 
 
+@pytest.mark.parametrize(("factor", "unit"), [(1e-3, "metres"), (1 / 25.4, "inches")])
+def test_lengths_that_count_from_the_first_tell_their_unit(
+    robot: Robot, eighteen: dict[str, float], factor: float, unit: str
+) -> None:
+    """How long they are says nothing of it, as of a ball bar: what the machine would have read does."""
+    poses = asked(robot, "gauge, incremental", np.vstack([poses_of(robot), scattered(robot, 60, 9)]))
+    recording = simulate(robot, poses, eighteen, noise_mm=NOISE, rng=np.random.default_rng(4))
+    identify(robot, recording, "18")
+    with pytest.raises(InputError, match=f"all lengths are in {unit}"):
+        identify(robot, dataclasses.replace(recording, measured=factor * recording.measured), "18")
+    with pytest.raises(InputError, match="the zero of a joint is elsewhere"):
+        identify(robot, dataclasses.replace(recording, joints=recording.joints + 60 * DEG), "18")
+
+
 @pytest.mark.parametrize("zero", [0.0, -12.0])
 def test_lengths_that_count_from_elsewhere_are_told(robot: Robot, eighteen: dict[str, float], zero: float) -> None:
     """A draw wire whose drum was never set: the constant is said, not fitted as a machine and called noise."""

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-import itertools
 import math
-from collections.abc import Iterator
 
 import numpy as np
 
@@ -18,12 +16,19 @@ from deltacal_gen.estimation.residuals import HUBER, MOST_APART, MOST_GROSS, apa
 from deltacal_gen.estimation.series import sequence
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.files.robot import robot_size
-from deltacal_gen.identification.rotations import POSES_LOOKED_AT, turned, turns_alike
+from deltacal_gen.identification.mistakes import (
+    EXPLAINED,
+    MOST_FITTED,
+    NEARER,
+    explained,
+    in_other_units,
+    sizes,
+    typical,
+)
+from deltacal_gen.identification.rotations import turned, turns_alike
 from deltacal_gen.instrument.kinds import kind_of, mounts, readings
-from deltacal_gen.machine.places import read_together
 from deltacal_gen.machine.registry import Array, Machine
 from deltacal_gen.machine.values import Recording, numbered
-from deltacal_gen.physics.body import Body
 from deltacal_gen.units import DEG
 
 SPARE = 1.15  # scalar readings per unknown below which a model is not chosen unasked: firmware fits 6 to 7 heights
@@ -31,10 +36,6 @@ SPARE_HEIGHTS = 1  # of probed heights and printed distances, whose noise is rou
 IMPLAUSIBLE = 0.005  # of the machine's size: more is no error of stiff parts; mistakes of the recording are looked for
 NONSENSE = 0.1  # of what poses spread over: so far off, the machine explains next to nothing of the readings
 NOTHING = 0.5  # of what images differ by: a machine that leaves more explains less than three quarters of it
-SEED = 2021  # of the poses on which mistakes are tried
-NEARER = 0.5  # of the error: a mistake that brings less is not fitted
-MOST_FITTED = 4
-EXPLAINED = 0.1  # of the error: what a mistake may leave that explains it
 FEW = 12  # lines that a sentence names
 FEWEST_COPIES = 5  # rows: fewer may agree in every digit that was written
 EXACT = 1e-6  # of the machine's size: a fit that leaves less is one of readings without noise
@@ -171,7 +172,7 @@ def plausible(first: Fit) -> None:
     refused where one of them explains nearly all, or where the machine explains next to nothing of what was read.
     """
     problem, found = first.problem, first.problem.readings
-    off = _typical(first)
+    off = typical(first)
     if found.kind.sees_joints:
         _of_these_joints(first, off)
         return
@@ -183,10 +184,9 @@ def plausible(first: Fit) -> None:
         _zeros(first)
         return
     _all_the_same(problem)
-    explained = _explained(problem, off) if found.kind.positions else []
-    if explained:
+    if words := explained(problem, off):
         raise InputError(
-            f"the readings are {off:.3g} mm off this machine, but agree with it if {', or if '.join(explained)}.",
+            f"the readings are {off:.3g} mm off this machine, but agree with it if {', or if '.join(words)}.",
             "Correct the recording, its sidecar or the robot file.",
             file=problem.recording.path,
         )
@@ -232,18 +232,18 @@ def all_but_one(first: Fit) -> np.ndarray | None:
     problem, found = first.problem, first.problem.readings
     if not found.kind.positions or not 1 < len(np.unique(found.group)) <= MOST_TRIED:
         return None
-    most, before = IMPLAUSIBLE * robot_size(problem.robot), _sizes(first)
+    most, before = IMPLAUSIBLE * robot_size(problem.robot), sizes(first)
     others = found.group != found.group[np.argmax(before)]
     if rms(before[others]) < most and np.mean(~others) <= MOST_GROSS:
         return None  # its weight makes next to nothing of it
     models = problem.mechanism.models
     drawn = problem.with_names(unsaid(problem.with_names(max(models.values(), key=len))))
-    far = _sizes(fit(drawn, Prior(), weigh_repeats=False, must_converge=False))
+    far = sizes(fit(drawn, Prior(), weigh_repeats=False, must_converge=False))
     poses = list(dict.fromkeys(found.group[np.argsort(-far)].tolist()))
     for pose in poses[:MOST_FITTED]:
         rest = np.flatnonzero(found.group != pose)
         try:
-            left = rms(_sizes(rough(problem.subset(rest), must_converge=False)))
+            left = rms(sizes(rough(problem.subset(rest), must_converge=False)))
         except (InputError, NoSolutionError):
             continue
         if left < min(most, EXPLAINED * rms(before)):
@@ -321,17 +321,27 @@ def zeroed(at: Fit) -> tuple[str, ...]:
 
 def _zeros(first: Fit) -> None:
     """Raise an InputError where the readings agree with the machine by a joint whose zero is elsewhere."""
-    problem, moved = first.problem, first.errors - first.problem.reference
-    kinds = problem.mechanism.parameters
-    far = [k for k, p in enumerate(kinds) if p.unit == "rad" and abs(moved[k]) > ELSEWHERE]
+    problem, kinds, far = first.problem, first.problem.mechanism.parameters, _elsewhere(first)
     if not far:
         return
+    if unit := [words for words, again in in_other_units(first) if not _elsewhere(again)]:
+        raise InputError(
+            f"the readings agree with this machine if {', or if '.join(unit)}.",
+            "Correct the recording or its sidecar.",
+            file=problem.recording.path,
+        )
     zeros = ", ".join(f"{kinds[k].name} = {first.errors[k] / DEG:.0f}" for k in far)
     raise InputError(
         f"the readings want {zeros} deg of this machine: the zero of a joint is elsewhere.",
         f"Correct the joints of the recording, or say it in the robot file: [errors] {zeros.replace(', ', ' and ')}.",
         file=problem.recording.path,
     )
+
+
+def _elsewhere(at: Fit) -> list[int]:
+    """Return the parameters by which zeros of joints are elsewhere."""
+    moved = np.abs(at.errors - at.problem.reference)
+    return [k for k, p in enumerate(at.problem.mechanism.parameters) if p.unit == "rad" and moved[k] > ELSEWHERE]
 
 
 def _of_these_joints(first: Fit, off: float) -> None:
@@ -442,129 +452,6 @@ def copied(recording: Recording) -> tuple[str, ...]:
         "measurement differ by its noise. They claim more than was measured, and the deviations are too small: leave "
         "the copies out.",
     )
-
-
-def _typical(at: Fit) -> float:
-    """Return the median length of residuals [mm]."""
-    return float(np.median(_sizes(at)))
-
-
-def _sizes(at: Fit) -> Array:
-    """Return the lengths (R,) of residuals [mm]."""
-    size: Array = np.linalg.norm(np.nan_to_num(lengths(at.residual, at.problem.readings.kind)), axis=1)
-    return size
-
-
-def _explained(problem: Problem, off: float) -> list[str]:
-    """Return in words the mistakes, one at a time, with which readings agree with the machine.
-
-    Each is looked at with the machine as its file says, on few poses; the few that bring most are fitted. All together
-    cost less than a fit.
-    """
-    few = problem.some(POSES_LOOKED_AT, np.random.default_rng(SEED))
-    mistakes = itertools.chain(_mistakes(few), _shifted(problem))
-    tried = [(_aligned_error(changed), words, changed) for words, changed in mistakes]
-    most = (1.0 if unsaid(problem) else NEARER) * _aligned_error(few)  # a tool that is not said is off as well
-    near = sorted((t for t in tried if t[0] < most), key=lambda t: t[0])[:MOST_FITTED]
-    out = []
-    for _, words, changed in near:
-        try:
-            again = rough(changed, must_converge=False)
-        except (InputError, NoSolutionError):
-            continue
-        smaller = min(1.0, _spread(changed) / _spread(problem))  # in a larger unit all is smaller, errors too
-        if _typical(again) < EXPLAINED * off * smaller:
-            out.append(words)
-    return out
-
-
-def _aligned_error(problem: Problem) -> float:
-    """Return the median error of the machine as its file says, the instrument aligned; inf where it cannot be.
-
-    By what the readings spread over: in other units all are smaller, or larger.
-    """
-    try:
-        machine = problem.solve(problem.reference)
-        residual = problem.residual(problem.reference, problem.begin(problem.reference, machine), problem.seen(machine))
-    except InputError:
-        return float("inf")
-    off = np.median(np.linalg.norm(np.nan_to_num(lengths(residual, problem.readings.kind)), axis=1))
-    return float(off) / _spread(problem)
-
-
-def _spread(problem: Problem) -> float:
-    """Return what readings spread over, in their own unit; one of those that are all the same, as of a surface."""
-    found = problem.readings
-    return float(np.linalg.norm(np.nanstd(found.values[:, [c for c in found.components if c < 3]], axis=0))) or 1.0
-
-
-def _mistakes(problem: Problem) -> Iterator[tuple[str, Problem]]:
-    found, body, said = problem.readings, problem.body, problem.recording.measurement
-
-    def with_values(values: Array) -> Problem:
-        return dataclasses.replace(problem, readings=dataclasses.replace(found, values=values))
-
-    def with_joints(q: Array) -> Problem:
-        return dataclasses.replace(problem, body=Body(body.robot, body.mechanism, q, body.tool, body.channels))
-
-    if said.frame == "robot":
-        recording = dataclasses.replace(problem.recording, measurement=dataclasses.replace(said, frame="unknown"))
-        yield (
-            'the instrument has a frame of its own (frame = "unknown" in the sidecar)',
-            dataclasses.replace(problem, recording=recording),
-        )
-    joints = range(body.q.shape[1])
-    yield "every joint counts the other way ([joints] sign)", with_joints(-body.q)
-    for i in joints:
-        yield (
-            f"joint {i + 1} counts the other way ([joints] sign)",
-            with_joints(np.where(np.arange(len(joints)) == i, -body.q, body.q)),
-        )
-        for turn in (90, -90, 180) if problem.mechanism.joint_units[i] == "rad" else ():
-            step = np.where(np.arange(len(joints)) == i, turn * DEG, 0.0)
-            yield f"the zero of joint {i + 1} is off by {turn} deg", with_joints(body.q + step)
-    for (i, table), sign in itertools.product(read_together(problem.robot), (1, -1)):
-        words = f"joint {i + 2} counts from a line that stays as joint {i + 1} turns"
-        added = np.where(np.arange(len(joints)) == i + 1, sign * body.q[:, [i]], 0.0)
-        yield f"{words} (page arm: coupling = {{{table} = {sign:.1f}}})", with_joints(body.q + added)
-    if set(problem.mechanism.joint_units) == {"rad"}:
-        yield "the joints are in radians", with_joints(body.q / DEG)
-        for turn in (90, -90):
-            yield f"the zeros of all joints are off by {turn} deg", with_joints(body.q + turn * DEG)
-    for i, j in itertools.combinations(joints, 2):
-        order = [j if k == i else i if k == j else k for k in joints]
-        yield f"the columns of joints {i + 1} and {j + 1} are exchanged", with_joints(body.q[:, order])
-    axes = "xyz"
-    read = [c for c in found.components if c < 3]
-    for i, j in itertools.combinations(read, 2):
-        swapped = [j if k == i else i if k == j else k for k in range(3)]
-        yield f"{axes[i]}_mm and {axes[j]}_mm are exchanged", with_values(found.values[:, swapped])
-    if found.rotations is not None and np.isfinite(found.rotations).all() and len(read) == 3:
-        back = np.swapaxes(found.rotations, 1, 2)
-        inverse = dataclasses.replace(found, values=-(back @ found.values[:, :, None])[:, :, 0], rotations=back)
-        yield (
-            "each pose is the inverse: where a board, or the instrument, is as the platform, or a camera on it, has it",
-            dataclasses.replace(problem, readings=inverse),
-        )
-    if len(read) > 1:
-        mirrored = np.where(np.arange(3) == read[0], -found.values, found.values)
-        yield "the instrument's frame is left-handed (one axis counts the other way)", with_values(mirrored)
-    for factor, unit in ((1000.0, "metres"), (25.4, "inches"), (0.001, "micrometres")):
-        yield f"all positions are in {unit}", with_values(found.values * factor)
-        for i in read:
-            scale = np.where(np.arange(3) == i, factor, 1.0)
-            yield f"{axes[i]}_mm is in {unit}", with_values(found.values * scale)
-
-
-def _shifted(problem: Problem) -> Iterator[tuple[str, Problem]]:
-    """Return readings against the joints of the row before and behind, few of all of them: poses have neighbours."""
-    for shift in (1, -1):
-        values = np.roll(problem.readings.values, shift, axis=0)
-        rolled = dataclasses.replace(problem, readings=dataclasses.replace(problem.readings, values=values))
-        yield (
-            "the readings are shifted against the joints by one row",
-            rolled.some(POSES_LOOKED_AT, np.random.default_rng(SEED)),
-        )
 
 
 def check_rows(first: Fit, recording: Recording) -> None:

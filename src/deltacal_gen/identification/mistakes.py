@@ -1,0 +1,175 @@
+"""Mistakes that people make in writing a recording down, and whether one of them explains what a machine is off."""
+
+from __future__ import annotations
+
+import dataclasses
+import itertools
+from collections.abc import Iterable, Iterator
+
+import numpy as np
+
+from deltacal_gen.errors import InputError, NoSolutionError
+from deltacal_gen.estimation.fit import rough
+from deltacal_gen.estimation.fitted import Fit
+from deltacal_gen.estimation.prior import unsaid
+from deltacal_gen.estimation.problem import Problem
+from deltacal_gen.estimation.residuals import lengths
+from deltacal_gen.identification.rotations import POSES_LOOKED_AT
+from deltacal_gen.machine.places import read_together
+from deltacal_gen.machine.registry import Array
+from deltacal_gen.physics.body import Body
+from deltacal_gen.units import DEG
+
+SEED = 2021  # of the poses on which mistakes are tried
+NEARER = 0.5  # of the error: a mistake that brings less is not fitted
+MOST_FITTED = 4
+UNITS = ((1000.0, "metres"), (25.4, "inches"), (0.001, "micrometres"))  # and how many mm are one of them
+EXPLAINED = 0.1  # of the error: what a mistake may leave that explains it
+
+
+def typical(at: Fit) -> float:
+    """Return the median length of residuals [mm]."""
+    return float(np.median(sizes(at)))
+
+
+def sizes(at: Fit) -> Array:
+    """Return the lengths (R,) of residuals [mm]."""
+    size: Array = np.linalg.norm(np.nan_to_num(lengths(at.residual, at.problem.readings.kind)), axis=1)
+    return size
+
+
+def explained(problem: Problem, off: float) -> list[str]:
+    """Return in words the mistakes, one at a time, with which readings agree with the machine.
+
+    Each is looked at with the machine as its file says, on few poses; the few that bring most are fitted. All together
+    cost less than a fit.
+    """
+    few = problem.some(POSES_LOOKED_AT, np.random.default_rng(SEED))
+    mistakes: Iterable[tuple[str, Problem]] = ()
+    if few.readings.kind.positions:
+        mistakes = itertools.chain(_mistakes(few), _shifted(problem))
+    elif few.readings.kind.in_differences(few.recording.measurement):
+        mistakes = _units(few, "lengths")  # what counts from the first is not told by how long it is
+    tried = [(_aligned_error(changed), words, changed) for words, changed in mistakes]
+    most = (1.0 if unsaid(problem) else NEARER) * _aligned_error(few)  # a tool that is not said is off as well
+    near = sorted((t for t in tried if t[0] < most), key=lambda t: t[0])[:MOST_FITTED]
+    out = []
+    for _, words, changed in near:
+        try:
+            again = rough(changed, must_converge=False)
+        except (InputError, NoSolutionError):
+            continue
+        smaller = min(1.0, _spread(changed) / _spread(problem))  # in a larger unit all is smaller, errors too
+        if typical(again) < EXPLAINED * off * smaller:
+            out.append(words)
+    return out
+
+
+def in_other_units(at: Fit) -> Iterator[tuple[str, Fit]]:
+    """Yield units of lengths that count from the first, with which a fit leaves less of what they spread over."""
+    problem = at.problem
+    if not problem.readings.kind.in_differences(problem.recording.measurement):
+        return
+    for words, changed in _units(problem, "lengths"):
+        try:
+            again = rough(changed, must_converge=False)
+        except (InputError, NoSolutionError):
+            continue
+        if typical(again) * _spread(problem) < typical(at) * _spread(changed):
+            yield words, again
+
+
+def _aligned_error(problem: Problem) -> float:
+    """Return the median error of the machine as its file says, the instrument aligned; inf where it cannot be.
+
+    By what the readings spread over: in other units all are smaller, or larger.
+    """
+    try:
+        machine = problem.solve(problem.reference)
+        residual = problem.residual(problem.reference, problem.begin(problem.reference, machine), problem.seen(machine))
+    except InputError:
+        return float("inf")
+    off = np.median(np.linalg.norm(np.nan_to_num(lengths(residual, problem.readings.kind)), axis=1))
+    return float(off) / _spread(problem)
+
+
+def _spread(problem: Problem) -> float:
+    """Return what readings spread over, in their own unit; one of those that are all the same, as of a surface."""
+    found = problem.readings
+    most = min(3, found.values.shape[1])
+    return float(np.linalg.norm(np.nanstd(found.values[:, [c for c in found.components if c < most]], axis=0))) or 1.0
+
+
+def _mistakes(problem: Problem) -> Iterator[tuple[str, Problem]]:
+    found, body, said = problem.readings, problem.body, problem.recording.measurement
+
+    def with_values(values: Array) -> Problem:
+        return dataclasses.replace(problem, readings=dataclasses.replace(found, values=values))
+
+    def with_joints(q: Array) -> Problem:
+        return dataclasses.replace(problem, body=Body(body.robot, body.mechanism, q, body.tool, body.channels))
+
+    if said.frame == "robot":
+        recording = dataclasses.replace(problem.recording, measurement=dataclasses.replace(said, frame="unknown"))
+        yield (
+            'the instrument has a frame of its own (frame = "unknown" in the sidecar)',
+            dataclasses.replace(problem, recording=recording),
+        )
+    joints = range(body.q.shape[1])
+    yield "every joint counts the other way ([joints] sign)", with_joints(-body.q)
+    for i in joints:
+        yield (
+            f"joint {i + 1} counts the other way ([joints] sign)",
+            with_joints(np.where(np.arange(len(joints)) == i, -body.q, body.q)),
+        )
+        for turn in (90, -90, 180) if problem.mechanism.joint_units[i] == "rad" else ():
+            step = np.where(np.arange(len(joints)) == i, turn * DEG, 0.0)
+            yield f"the zero of joint {i + 1} is off by {turn} deg", with_joints(body.q + step)
+    for (i, table), sign in itertools.product(read_together(problem.robot), (1, -1)):
+        words = f"joint {i + 2} counts from a line that stays as joint {i + 1} turns"
+        added = np.where(np.arange(len(joints)) == i + 1, sign * body.q[:, [i]], 0.0)
+        yield f"{words} (page arm: coupling = {{{table} = {sign:.1f}}})", with_joints(body.q + added)
+    if set(problem.mechanism.joint_units) == {"rad"}:
+        yield "the joints are in radians", with_joints(body.q / DEG)
+        for turn in (90, -90):
+            yield f"the zeros of all joints are off by {turn} deg", with_joints(body.q + turn * DEG)
+    for i, j in itertools.combinations(joints, 2):
+        order = [j if k == i else i if k == j else k for k in joints]
+        yield f"the columns of joints {i + 1} and {j + 1} are exchanged", with_joints(body.q[:, order])
+    axes = "xyz"
+    read = [c for c in found.components if c < 3]
+    for i, j in itertools.combinations(read, 2):
+        swapped = [j if k == i else i if k == j else k for k in range(3)]
+        yield f"{axes[i]}_mm and {axes[j]}_mm are exchanged", with_values(found.values[:, swapped])
+    if found.rotations is not None and np.isfinite(found.rotations).all() and len(read) == 3:
+        back = np.swapaxes(found.rotations, 1, 2)
+        inverse = dataclasses.replace(found, values=-(back @ found.values[:, :, None])[:, :, 0], rotations=back)
+        yield (
+            "each pose is the inverse: where a board, or the instrument, is as the platform, or a camera on it, has it",
+            dataclasses.replace(problem, readings=inverse),
+        )
+    if len(read) > 1:
+        mirrored = np.where(np.arange(3) == read[0], -found.values, found.values)
+        yield "the instrument's frame is left-handed (one axis counts the other way)", with_values(mirrored)
+    yield from _units(problem, "positions")
+    for (factor, unit), i in itertools.product(UNITS, read):
+        scale = np.where(np.arange(3) == i, factor, 1.0)
+        yield f"{axes[i]}_mm is in {unit}", with_values(found.values * scale)
+
+
+def _units(problem: Problem, what: str) -> Iterator[tuple[str, Problem]]:
+    """Return readings in other units than mm."""
+    for factor, unit in UNITS:
+        readings = dataclasses.replace(problem.readings, values=problem.readings.values * factor)
+        yield f"all {what} are in {unit}", dataclasses.replace(problem, readings=readings)
+
+
+def _shifted(problem: Problem) -> Iterator[tuple[str, Problem]]:
+    """Return readings against the joints of the row before and behind, few of all of them: poses have neighbours."""
+    for shift in (1, -1):
+        values = np.roll(problem.readings.values, shift, axis=0)
+        rolled = dataclasses.replace(problem, readings=dataclasses.replace(problem.readings, values=values))
+        yield (
+            "the readings are shifted against the joints by one row",
+            rolled.some(POSES_LOOKED_AT, np.random.default_rng(SEED)),
+        )
