@@ -25,7 +25,7 @@ from deltacal_gen.results import published
 from deltacal_gen.results.reader import read_answer
 from tests.every_effect import ARM, LIFT
 from tests.machines_with_loops import REACH, machine
-from tests.motion_recordings import DEG, LINKS, NOISE, STEP, Friction, carried, named, robot, usual, written
+from tests.motion_recordings import DEG, LINKS, NOISE, STEP, Friction, carried, named, planned, robot, usual, written
 from tests.test_dynamics import bodies
 
 
@@ -171,6 +171,17 @@ def test_what_is_no_noise_and_depends_on_nothing_recorded_is_not_adequate(tmp_pa
     assert [u["limb"] for u in found["unexplained"]] == [2]
 
 
+def test_what_each_run_has_of_its_own_is_told(tmp_path: Path) -> None:
+    """A sensor whose zero is another one in every run: no function of anything recorded foretells it."""
+    zeros = iter([0.8, -1.5, 2.0, -0.6])
+    path = written(tmp_path, lambda s, load: usual(s, load) + next(zeros) * np.array([0.0, 1.0, 0.0]), seed=5)
+    found = dc.diagnose(tmp_path / "robot.toml", path)
+    assert [(u["limb"], u["channel"]) for u in found["unexplained"]] == [(2, "run")]
+    assert found["unexplained"][0]["share"] > 0.8
+    assert found["laws"] == []
+    assert "zero it before it" in found["next_measurements"][0]["text"]
+
+
 def test_currents_tell_torques_where_their_constant_is_known(recorded: Path, diagnosed: Any, tmp_path: Path) -> None:
     constants = np.array([12.0, 8.0, 5.0])  # Nm/A
     lines = [line.split(",") for line in recorded.read_text().splitlines()]
@@ -208,6 +219,26 @@ def test_a_payload_that_is_not_what_was_written_is_told_with_its_centre(tmp_path
     assert parameters["mass"]["std"] < 0.03
     assert all(v < 1.15 * NOISE for v in dc.validate(found.to_dict(), made)["rms_by_joint"])
     assert "that is not what was written" in found["summary"]
+
+
+def test_of_several_setups_the_one_that_carries_something_is_told(tmp_path: Path) -> None:
+    """One that carries nothing has no centre, and bodies that are free are no more right than those of the file."""
+    path, made = (
+        planned(tmp_path, '[[effects]]\nname = "payload_error"\nsetup = "loaded"\nmass = 1.5\n'),
+        tmp_path / "m.csv",
+    )
+    head, *rows = path.read_text().splitlines()
+    cells = [row.rsplit(",", 1)[0] for row in rows]
+    setups = ["loaded" if row.startswith(("2", "3")) else "empty" for row in rows]
+    lines = [f"{head},setup", *(f"{own},0.0,{setup}" for own, setup in zip(cells, setups, strict=True))]
+    path.write_text("\n".join(lines) + "\n")
+    dc.simulate(tmp_path / "robot.toml", path, made, truth=tmp_path / "truth.toml", noise=NOISE, seed=3)
+    found = dc.diagnose(tmp_path / "robot.toml", made)
+    assert named(found) == {"payload_error": []}
+    mass, *_ = found["effects"][0]["parameters"]
+    assert (mass["name"], mass["setup"]) == ("mass", "loaded")
+    assert abs(mass["value"] - 1.5) < 4 * mass["std"] < 0.1
+    assert {p["setup"] for p in found["effects"][0]["parameters"]} == {"loaded"}
 
 
 def test_a_delay_is_found_beside_bodies_that_are_known(tmp_path: Path) -> None:

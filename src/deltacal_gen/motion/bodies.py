@@ -1,7 +1,7 @@
 """Which bodies a machine in motion has: as its robot file states them, with another payload, or found anew.
 
-What is stated holds as long as bodies that are free would not predict held-out samples better; where they would, a
-payload that is not what was written is tried first.
+What is stated holds as long as bodies that are free would not predict held-out samples better; where they would, or
+the machine was set up in several ways, a payload that is not what was written is tried first.
 """
 
 from __future__ import annotations
@@ -55,10 +55,12 @@ def searched(session: Session, progress: Progress) -> Found:
         return Found(session, fits, fits)
     fits = _climbed(known, progress)
     free = beside(session, fits)
-    if _as_good(fits, free):
+    holds, found = _as_good(fits, free), None
+    if not holds or len(session.given.setup_names) > 1:  # no bodies are right for several payloads, free ones neither
+        usual = [fitted(joint, [Rung(name) for name in USUAL]) for joint in known.moving]
+        found = _carrying(session, known, known.payload_by(usual), progress)
+    if found is None and holds:
         return Found(known, fits, free)
-    usual = [fitted(joint, [Rung(name) for name in USUAL]) for joint in known.moving]
-    found = _carrying(session, known, known.payload_by(usual), progress)
     if found is None:
         fits = _climbed(session, progress)
         return Found(session, fits, fits)

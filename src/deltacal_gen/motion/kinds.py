@@ -241,4 +241,5 @@ def columns_of(done: Trajectories, *, joints: bool = True) -> Columns:
     stand = zip(joint_names(done.joint_unit, limbs), (done.joints / factors).T, strict=True) if joints else ()
     runs = {} if done.run_names == ("1",) else {"run": [done.run_names[code] for code in done.run]}
     readings = dict(zip(done.columns, done.readings.T, strict=True))
-    return {**runs, TIME: done.time, **dict(stand), **done.channels, **readings, **ends(done)}
+    setups = {"setup": list(done.setups)} if done.setups else {}
+    return {**runs, TIME: done.time, **dict(stand), **done.channels, **setups, **readings, **ends(done)}

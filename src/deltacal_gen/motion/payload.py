@@ -64,7 +64,8 @@ def torque_of(rigid: Rigid, states: Array, given: Trajectories, setups: Sequence
 def payload_error(rigid: Rigid, states: Array, given: Trajectories, fits: Sequence[Fit]) -> PayloadError | None:
     """Return the payload by which all drives together leave least, beside each joint's own rungs (Gauss-Newton).
 
-    None where it would be no payload: less than nothing, or out of all reach.
+    A set-up of which it would be no payload, less than nothing or out of all reach, carries what is written: one that
+    carries nothing has no centre. None where no other is left.
 
     Parameters
     ----------
@@ -72,6 +73,18 @@ def payload_error(rigid: Rigid, states: Array, given: Trajectories, fits: Sequen
         Of the joints; zero where they are not known.
     """
     setups = given.setup_names
+    while setups:
+        found = _of_setups(rigid, states, given, fits, setups)
+        if isinstance(found, PayloadError):
+            return found
+        setups = found
+    return None
+
+
+def _of_setups(
+    rigid: Rigid, states: Array, given: Trajectories, fits: Sequence[Fit], setups: tuple[str, ...]
+) -> PayloadError | tuple[str, ...]:
+    """Return the payload of some set-ups, or those of them that could carry what this comes to."""
     values = np.zeros((len(setups), 4))
     values[:, 0] = FIRST  # a mass must be there for its centre to be told
     std = np.full_like(values, np.nan)
@@ -80,8 +93,9 @@ def payload_error(rigid: Rigid, states: Array, given: Trajectories, fits: Sequen
         columns = _by_values(rigid, states, given, setups, values, now)
         step, std = _step(fits, now, columns, values.shape)
         values = values + step
-        if not _could_be(given, setups, values):
-            return None
+        could = tuple(s for s, row in zip(setups, values, strict=True) if _could_be(given, s, row))
+        if len(could) < len(setups):
+            return could
         if (np.abs(step) <= SETTLED * np.nan_to_num(std, nan=np.inf)).all():
             break
     now = torque_of(rigid, states, given, setups, values)
@@ -89,12 +103,10 @@ def payload_error(rigid: Rigid, states: Array, given: Trajectories, fits: Sequen
     return PayloadError(setups, values, std, float(gain))
 
 
-def _could_be(given: Trajectories, setups: Sequence[str], values: Array) -> bool:
-    """Tell whether a machine could carry such payloads."""
-    masses = [
-        float(given.payload[given.setup_is(s)].max(initial=0.0)) + v[0] for s, v in zip(setups, values, strict=True)
-    ]
-    return min(masses) > LIGHTEST and bool((np.abs(values[:, 1:]) < FARTHEST).all())
+def _could_be(given: Trajectories, setup: str, row: Array) -> bool:
+    """Tell whether a machine could carry such a payload, mass and centre (4,), in a set-up."""
+    mass = float(given.payload[given.setup_is(setup)].max(initial=0.0)) + row[0]
+    return mass > LIGHTEST and bool((np.abs(row[1:]) < FARTHEST).all())
 
 
 def _by_values(
