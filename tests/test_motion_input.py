@@ -106,6 +106,23 @@ def test_of_a_drive_whose_reading_never_changes_nothing_is_said(recorded: Path, 
     assert all(np.isfinite(p["std"]) for p in known.values())
 
 
+def test_of_a_drive_that_was_not_read_nothing_is_said(recorded: Path, tmp_path: Path) -> None:
+    """It moves for all that."""
+
+    def without_second(line: str) -> str:
+        cells = line.split(",")
+        return ",".join([*cells[:6], "", *cells[7:]])
+
+    (tmp_path / "robot.toml").write_text((recorded.parent / "robot.toml").read_text())
+    found = dc.diagnose(
+        tmp_path / "robot.toml", changed(recorded, tmp_path, lambda lines: [lines[0], *map(without_second, lines[1:])])
+    )
+    assert {joint["joint"] for joint in found["joints"]} == {1, 3}
+    assert "What the drive of joint 2 gives was not recorded" in found["summary"]
+    assert "moves too little" not in found["summary"]
+    assert found["next_measurements"][0]["text"] == "Record what the drive of joint 2 gives: its cells are blank."
+
+
 def test_what_is_put_right_is_told_by_every_command(run: Run, recorded: Path, tmp_path: Path) -> None:
     """Every fifth row twice: those that predict answers are fewer than those it was asked for."""
     robot_file = tmp_path / "robot.toml"

@@ -40,6 +40,14 @@ def test_readings_that_come_late_are_told_with_their_delay(tmp_path: Path, comma
     done: Any = dc.simulate(commanded.with_name("robot.toml"), commanded, truth=tmp_path / "truth.toml")
     assert done.readings[2:, 0] == pytest.approx(plain.readings[:-2, 0])
     assert done.readings[:, 1:] == pytest.approx(plain.readings[:, 1:])
+    assert found["effects"][-1]["title"] == "readings that come late"
+
+
+def test_readings_that_come_early_are_told_so(tmp_path: Path) -> None:
+    """Where a controller filters the joints, their drives are ahead of what it writes."""
+    found = dc.diagnose(tmp_path / "robot.toml", written(tmp_path, usual, seed=6, delay=(0.0, -0.03, 0.0)))
+    assert found["effects"][-1]["title"].startswith("readings that come early")
+    assert found["effects"][-1]["parameters"][0]["value"] < 0
 
 
 TRUTH = """

@@ -23,7 +23,7 @@ from deltacal_gen.motion.session import Session, still_to_move, untold
 from deltacal_gen.motion.told import told
 from deltacal_gen.motion.traces import traces
 from deltacal_gen.motion.trajectories import INSIDE, Trajectories
-from deltacal_gen.motion.unexplained import Rest, dependences, rest, share_left
+from deltacal_gen.motion.unexplained import RUN, Rest, dependences, rest, share_left
 from deltacal_gen.physics.law import is_law
 from deltacal_gen.physics.terms import drive_effect_names, load_effect
 from deltacal_gen.results.diagnosis import (
@@ -95,7 +95,7 @@ def diagnose(robot: Robot, given: Trajectories, progress: Progress) -> MotionDia
         unexplained=tuple(Unexplained(limb=r.joint, channel=r.channel, share=r.share, text=r.text) for r in open_),
         rejected=_rejected(session, effects, found),
         not_tested=_not_tested(session, found),
-        next_measurements=(*_next(session, effects, found), *still_to_show(bodies)),
+        next_measurements=(*_next(session, effects, open_, found), *still_to_show(bodies)),
         laws=laws,
     )
 
@@ -138,7 +138,7 @@ def _latency(fits: Sequence[Fit], excess: Mapping[int, float]) -> TorqueEffect:
     removed = sum(excess[f.joint.number] * ((1.0 - lag.bought) ** -2 - 1.0) / f.takes_away for f, lag in lags)
     return TorqueEffect(
         name=LATENCY,
-        title="readings that come late",
+        title=_late_or_early([lag.delay for _, lag in lags]),
         limbs=tuple(fit.joint.number for fit, _ in lags),
         parameters=tuple(
             EffectParameter(name="delay", limb=fit.joint.number, value=lag.delay, std=lag.std, unit="s")
@@ -151,6 +151,14 @@ def _latency(fits: Sequence[Fit], excess: Mapping[int, float]) -> TorqueEffect:
         indistinguishable_from=(),
         heldout_gain=tuple(lag.bought for _, lag in lags),
     )
+
+
+def _late_or_early(delays: Sequence[float]) -> str:
+    """Return what readings do whose delays [s] are of these signs."""
+    if min(delays) > 0:
+        return "readings that come late"
+    early = "readings that come early, as what the joints did was recorded late"
+    return early if max(delays) < 0 else "readings that come late, or early, beside what the joints did"
 
 
 def _mean_square(fit: Fit) -> float:
@@ -377,7 +385,7 @@ def _summary(
     session: Session,
     fits: Sequence[Fit],
 ) -> str:
-    still, silent = (", ".join(map(str, some)) for some in untold(session, fits))
+    still, unread, silent = (", ".join(map(str, some)) for some in untold(session, fits))
     named = [_where(session.robot, e) for e in effects]
     parts = [f"Beside the rigid machine the drives overcome {'; '.join(named)}." if named else ""]
     if laws:
@@ -395,6 +403,8 @@ def _summary(
         parts.append(f"Friction would drive joint {', '.join(turned)}: its reading is counted against its angle.")
     if still:
         parts.append(f"Joint {still} moves too little to say anything.")
+    if unread:
+        parts.append(f"What the drive of joint {unread} gives was not recorded: of it nothing can be said.")
     if silent:
         parts.append(f"The reading of joint {silent} never changes: of what its drive gives nothing can be said.")
     parts += [f"But {doubt}." for doubt in (*too_heavy(session, fits), *sizes_alone(fits))]
@@ -415,9 +425,17 @@ def _not_tested(session: Session, fits: Sequence[Fit]) -> tuple[Missing, ...]:
     return tuple(found)
 
 
-def _next(session: Session, effects: Sequence[TorqueEffect], fits: Sequence[Fit]) -> tuple[NextMeasurement, ...]:
-    """Return what to record next: what tells effects apart, and joints that stood still."""
+def _next(
+    session: Session, effects: Sequence[TorqueEffect], rests: Sequence[Rest], fits: Sequence[Fit]
+) -> tuple[NextMeasurement, ...]:
+    """Return what to record next: what tells effects apart, what runs have of their own, joints that stood still."""
     found = []
+    if own := ", ".join(str(r.joint) for r in rests if r.channel == RUN):
+        text = (
+            f"Record with each run what differs: what the machine carries (payload_kg, or a setup), its temperature. "
+            f"Where a sensor has another zero in each run, zero it before it, or take that of joint {own} off."
+        )
+        found.append(NextMeasurement(why="runs differ", text=text, poses=(), expected_chi2=None))
     for effect in effects:
         if effect.indistinguishable_from:
             names = (effect.name, *effect.indistinguishable_from)

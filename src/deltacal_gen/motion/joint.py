@@ -101,6 +101,11 @@ class Joint:
         return len(self.y) >= FEW and len(np.unique(self.fold[self.fold != BETWEEN])) > 1
 
     @property
+    def unread(self) -> bool:
+        """Whether its cells are blank, or all but some."""
+        return int(np.isfinite(self.series.y).sum()) < FEW
+
+    @property
     def silent(self) -> bool:
         """Whether its reading never changes: no drive that moves a joint gives that."""
         return len(self.rows) > 0 and float(np.ptp(self.series.y[self.rows])) == 0.0

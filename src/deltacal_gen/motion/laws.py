@@ -24,7 +24,7 @@ from deltacal_gen.motion.joint import OFFSET
 from deltacal_gen.motion.ladder import BEGUN_WITH, BUYS, PER_COEFFICIENT
 from deltacal_gen.motion.library import LOAD, Rung
 from deltacal_gen.motion.regression import BETWEEN
-from deltacal_gen.motion.unexplained import SHOWS, Rest, channels, rest
+from deltacal_gen.motion.unexplained import RUN, SHOWS, Rest, channels, rest
 from deltacal_gen.physics.grammar import THRESHOLDS, Atom, Form, full, product, single, switch
 from deltacal_gen.physics.law import PREFIX, Law, load_law
 from deltacal_gen.states import STATES
@@ -92,7 +92,7 @@ def lawful(fit: Fit, left: Rest | None, sigma: float | None) -> Lawful | None:
     What the ladder took may only have stood for the law: beside what drives usually have alone, one as simple is told
     without it, unless it still pays beside that. `sigma` is the noise where it is declared; see `rest`.
     """
-    if left is None or not left.channel:
+    if left is None or left.channel in ("", RUN):
         return None
     found, usual = _law(fit, sigma), [k for k, rung in enumerate(fit.rungs) if rung.effect in BEGUN_WITH]
     if len(usual) == len(fit.rungs) or (found is not None and _kept(found) <= len(usual)):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -15,7 +15,7 @@ from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.bands import uncertainty_of
 from deltacal_gen.motion.derivatives import motion
 from deltacal_gen.motion.fit import Fit
-from deltacal_gen.motion.joint import Joint, Series, series_of
+from deltacal_gen.motion.joint import FEW, Joint, Series, series_of
 from deltacal_gen.motion.lost import without_lost
 from deltacal_gen.motion.payload import PayloadError, payload_error, torque_of
 from deltacal_gen.motion.regression import GAP, LEAST_RUNS, STRETCH
@@ -111,11 +111,24 @@ class Session:
             )
         if not found:
             raise InputError(
-                "no joint moves for long enough: friction at rest is not known, and nothing could be held out.",
-                "Record several runs, or one of at least ten seconds, in which joints move.",
+                f"no joint moves for long enough: {self._most()}. Friction at rest is not known, and a part of what "
+                "moves must be held out.",
+                f"Record {LEAST_RUNS} runs or more, or one of at least ten seconds, in which joints move.",
                 file=self.given.path,
             )
         return found
+
+    def _most(self) -> str:
+        """Return how much there is of the joint that moves most, in words."""
+        most = max(self.joints, key=lambda joint: len(joint.rows))
+        column = self.given.columns[most.number - 1]
+        if most.unread:
+            return f"{column} holds readings in fewer than {FEW} rows"
+        runs, count = len(np.unique(self.given.run[most.rows])), len(most.rows)
+        return (
+            f"joint {most.number} does in {count} samples with a reading, {count * most.step:.2g} s in {runs} "
+            f"run{'' if runs == 1 else 's'}"
+        )
 
     def rms(self, joint: Joint, residual: Array) -> float | None:
         """Return the rms of residuals of a joint, in the unit of its readings; None where there are none."""
@@ -302,21 +315,34 @@ def series(
     return series_of(robot, given, found, rigid.asked(states), rigid.asked(rigid.as_lively(states)), known)
 
 
-def untold(session: Session, fits: Sequence[Fit]) -> tuple[list[int], list[int]]:
-    """Return the joints of which nothing can be said: those that move too little, and those whose reading is one."""
+class Untold(NamedTuple):
+    """Joints of which nothing can be said, by why: they move too little, are not read, or read the same throughout."""
+
+    still: list[int]
+    unread: list[int]
+    silent: list[int]
+
+
+def untold(session: Session, fits: Sequence[Fit]) -> Untold:
+    """Return the joints without a fit."""
     fitted = {fit.joint.number for fit in fits}
     others = [joint for joint in session.joints if joint.number not in fitted]
-    return [j.number for j in others if not j.moves], [j.number for j in others if j.moves]
+    unread, read = ([j for j in others if j.unread is so] for so in (True, False))
+    still, silent = ([j.number for j in read if j.moves is so] for so in (False, True))
+    return Untold(still, [j.number for j in unread], silent)
 
 
 def still_to_move(session: Session, fits: Sequence[Fit]) -> tuple[NextMeasurement, ...]:
-    """Return that joints should be moved which stood still, and read whose readings never change."""
-    still, silent = (", ".join(map(str, some)) for some in untold(session, fits))
+    """Return that joints should be moved which stood still, and read whose readings lack or never change."""
+    still, unread, silent = (", ".join(map(str, some)) for some in untold(session, fits))
     found = []
     if still:
         text = f"Move joint {still}, both ways and at several speeds, in runs of ten seconds at least."
         why = "joints stood still"
         found.append(NextMeasurement(why=why, text=text, poses=(), expected_chi2=None, run=("q", "qd")))
+    if unread:
+        text = f"Record what the drive of joint {unread} gives: its cells are blank."
+        found.append(NextMeasurement(why="readings are missing", text=text, poses=(), expected_chi2=None))
     if silent:
         text = f"Record what the drive of joint {silent} gives, if it has one: it moves, and its reading never changes."
         found.append(NextMeasurement(why="readings never change", text=text, poses=(), expected_chi2=None))

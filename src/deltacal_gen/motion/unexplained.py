@@ -12,7 +12,7 @@ from scipy.stats import chi2
 from deltacal_gen.motion.fit import Fit
 from deltacal_gen.motion.ladder import PER_COEFFICIENT
 from deltacal_gen.motion.library import LOAD, hats
-from deltacal_gen.motion.regression import GAP
+from deltacal_gen.motion.regression import FOLDS, GAP, STRETCH, Bench
 from deltacal_gen.physics.terms import remembers
 from deltacal_gen.states import named
 
@@ -88,6 +88,7 @@ SEEN: Mapping[str, Seen] = {  # as answers call it
     "reversal": Seen("reversal", True, "how far it has moved since it last turned back"),
     "temperature": _seen("temperature")._replace(either_way=True),
 }
+RUN = "run"  # no state: of the run itself
 HISTORY = Seen("history", True, "the ways it came, over several reversals")
 
 
@@ -175,6 +176,30 @@ def dependences(fit: Fit) -> list[Dependence]:
     return sorted(found, key=lambda d: -d.share)
 
 
+def by_run(fit: Fit) -> Dependence | None:
+    """Return what an offset and a part of the load that each run has of its own take away; None where it is nothing.
+
+    Held out are whole seconds of every run: what a run has of its own no other run tells.
+    """
+    joint, rows = fit.joint, fit.joint.rows
+    own, run = joint.columns(fit.rungs, fit.load), joint.series.run[rows]
+    each = (run[:, None] == np.unique(run)).astype(float)
+    if each.shape[1] < 2:
+        return None
+    beside = np.hstack([own, each, each * fit.load[:, None]])
+    seconds = (joint.series.time[rows] // STRETCH).astype(int) % FOLDS
+    bench = Bench.of(beside, joint.y, seconds, joint.usual)
+    first, every, folds = range(own.shape[1]), range(beside.shape[1]), bench.folds
+    if len(folds) < FOLDS:
+        return None
+    share = 1.0 - float(np.sqrt(bench.held_out(every, folds) / bench.held_out(first, folds)))
+    left = joint.y - beside @ (bench.fit(every, folds) / bench.scale)
+    count = len(rows) / joint.correlated(left)
+    gain = count * float(np.log(bench.train(first, folds) / max(bench.train(every, folds), 1e-300)))
+    width = len(every) - len(first)
+    return Dependence(RUN, share, gain, width) if share > SHOWS and gain > PER_COEFFICIENT * width else None
+
+
 def rest(fit: Fit, sigma: float | None) -> Rest | None:
     """Return what the rest of a joint depends on; None where nothing shows.
 
@@ -191,14 +216,22 @@ def rest(fit: Fit, sigma: float | None) -> Rest | None:
         on = SEEN.get(name, HISTORY).words
         text = f"what is left of joint {fit.joint.number} depends on {on}: {100 * share:.0f} % of its rms"
         return Rest(fit.joint.number, name, share, text)
+    if (why := _no_noise(fit, sigma)) is None:
+        return None
+    if (found := by_run(fit)) is None:
+        return Rest(fit.joint.number, "", 0.0, why)
+    text = f"what is left of joint {fit.joint.number} differs from run to run: {100 * found.share:.0f} % of its rms is"
+    return Rest(fit.joint.number, RUN, found.share, f"{text} an offset, or a part of the load, of each run's own")
+
+
+def _no_noise(fit: Fit, sigma: float | None) -> str | None:
+    """Return by what the rest of a joint, which depends on nothing recorded, is no noise; None where it may be."""
     if (over := _held_out(fit) / max(_rough(fit), 1e-300)) > SMOOTH:
         text = f"what is left of joint {fit.joint.number} on held-out samples is {over:.3g} times what differs within"
-        within = 1000 * _apart(fit) * fit.joint.step
-        return Rest(fit.joint.number, "", 0.0, f"{text} {within:.3g} ms: no noise, and of nothing recorded")
+        return f"{text} {1000 * _apart(fit) * fit.joint.step:.3g} ms: no noise, and of nothing recorded"
     if over > ABOVE and (lasts := fit.together * fit.joint.step) > GAP:
         text = f"what is left of joint {fit.joint.number} hangs together over {lasts:.2g} s, longer than noise does"
-        return Rest(fit.joint.number, "", 0.0, f"{text}, and depends on nothing recorded")
+        return f"{text}, and depends on nothing recorded"
     if sigma is not None and (over := fit.sigma / sigma) > ABOVE:
-        text = f"what is left of joint {fit.joint.number} is {over:.3g} times the noise and depends on nothing recorded"
-        return Rest(fit.joint.number, "", 0.0, text)
+        return f"what is left of joint {fit.joint.number} is {over:.3g} times the noise and depends on nothing recorded"
     return None
