@@ -17,7 +17,7 @@ from deltacal_gen.machine.dynamics import dynamics_of
 from deltacal_gen.motion import kinds
 from tests.conftest import PROTOTYPE
 from tests.every_effect import MASSES
-from tests.motion_recordings import DEG, LINKS, NOISE, STEP, named, robot, trajectory, usual, written
+from tests.motion_recordings import DEG, LINKS, NOISE, STEP, named, planned, robot, trajectory, usual, written
 
 
 @pytest.fixture(scope="module")
@@ -41,6 +41,17 @@ def test_readings_that_come_late_are_told_with_their_delay(tmp_path: Path, comma
     assert done.readings[2:, 0] == pytest.approx(plain.readings[:-2, 0])
     assert done.readings[:, 1:] == pytest.approx(plain.readings[:, 1:])
     assert found["effects"][-1]["title"] == "readings that come late"
+
+
+def test_a_joint_that_stands_has_no_dry_friction(tmp_path: Path) -> None:
+    """The sign of a velocity that is what rounding leaves would make its drive chatter."""
+    path = planned(tmp_path, '[[effects]]\nname = "coulomb_friction"\ncoulomb = 5.0\n', runs=1, seconds=4.0)
+    head, *rows = path.read_text().splitlines()
+    cells = [row.split(",") for row in rows]
+    path.write_text("\n".join([head, *(",".join([*row[:4], "12.345678", row[5]]) for row in cells)]) + "\n")
+    plain: Any = dc.simulate(tmp_path / "robot.toml", path)
+    done: Any = dc.simulate(tmp_path / "robot.toml", path, truth=tmp_path / "truth.toml")
+    assert np.abs(np.abs(done.readings - plain.readings) - [5.0, 5.0, 0.0]).max() < 1e-9
 
 
 def test_readings_that_come_early_are_told_so(tmp_path: Path) -> None:

@@ -16,7 +16,7 @@ from deltacal_gen.errors import InputError
 from deltacal_gen.files.toml import Raw, Table, TomlFile, nearest, toml_text
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.derivatives import motion
-from deltacal_gen.motion.joint import DRY, earlier
+from deltacal_gen.motion.joint import DRY, NOISY_SPEED, earlier
 from deltacal_gen.motion.lag import LATENCY
 from deltacal_gen.motion.library import Rung, of_joint
 from deltacal_gen.motion.payload import NAMES, PAYLOAD, torque_of
@@ -29,6 +29,7 @@ from deltacal_gen.units import of_sliding
 if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Array
 
+ROUNDED = 1e-12  # of a joint's way, per sample: what arithmetic leaves of a joint that stands
 FORCE = "coulomb"  # what builds up over a way: the coefficient of dry friction
 
 
@@ -198,6 +199,10 @@ def simulated(
         )
     inertia = inertia + np.array([told.parameters.get(name, 0.0) for name in rigid.names])
     states = np.nan_to_num(found.states)
+    least = ROUNDED * np.abs(states[0]).max(axis=0, initial=0.0) / given.step
+    states[1][np.abs(states[1]) <= np.maximum(NOISY_SPEED * found.noise[0], least)] = (
+        0.0  # what stands has no direction
+    )
     load = rigid.torque(states, inertia) + rigid.of_payload(states) * given.payload[:, None]
     for setup, values in told.payloads:
         load = load + torque_of(rigid, states, given, (setup,), values[None])
