@@ -171,6 +171,14 @@ def test_what_is_no_noise_and_depends_on_nothing_recorded_is_not_adequate(tmp_pa
     assert [u["limb"] for u in found["unexplained"]] == [2]
 
 
+def test_a_movement_too_short_to_tell_is_told_so(tmp_path: Path) -> None:
+    """What bodies are fitted to five seconds meets these, and foretells nothing."""
+    found = dc.diagnose(tmp_path / "robot.toml", written(tmp_path, usual, runs=1, seconds=5.0, seed=4))
+    assert [u["limb"] for u in found["unexplained"]] == [1, 2, 3]
+    assert all("it moved too little" in u["text"] and "nothing recorded" not in u["text"] for u in found["unexplained"])
+    assert found["next_measurements"][0]["text"].startswith("Record joint 1, 2, 3 for longer")
+
+
 def test_what_each_run_has_of_its_own_is_told(tmp_path: Path) -> None:
     """A sensor whose zero is another one in every run: no function of anything recorded foretells it."""
     zeros = iter([0.8, -1.5, 2.0, -0.6])

@@ -436,6 +436,9 @@ def _next(
             f"Where a sensor has another zero in each run, zero it before it, or take that of joint {own} off."
         )
         found.append(NextMeasurement(why="runs differ", text=text, poses=(), expected_chi2=None))
+    if short := ", ".join(str(r.joint) for r in rests if not r.shown):
+        text = f"Record joint {short} for longer, all joints moving at once; plan gives such a movement."
+        found.append(NextMeasurement(why="movements were too short", text=text, poses=(), expected_chi2=None))
     for effect in effects:
         if effect.indistinguishable_from:
             names = (effect.name, *effect.indistinguishable_from)

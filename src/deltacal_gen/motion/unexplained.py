@@ -24,6 +24,7 @@ STAGES = 4  # hats across a session, in what goes with speed as well
 SHOWS = 0.03  # of the held-out rms: what a smooth function of a channel must take away
 SMOOTH = 3.0  # times the part of the rest that changes from sample to sample: what is larger is no noise
 APART = 0.01  # s: nearer to each other samples hang together by how the drive is controlled and read
+TOO_LITTLE = "that took no part: it moved too little, or too much alike, to tell"
 ABOVE = 1.15  # times a noise that is declared, or of single samples: more is no noise
 
 
@@ -53,12 +54,15 @@ class Rest:
     share : float
         Part of the held-out rms that a smooth function of it takes away.
     text : str
+    shown : bool
+        Whether its movement would have shown what it has: otherwise a longer one may leave nothing.
     """
 
     joint: int
     channel: str
     share: float
     text: str
+    shown: bool = True
 
 
 class Seen(NamedTuple):
@@ -206,16 +210,18 @@ def rest(fit: Fit, sigma: float | None) -> Rest | None:
     `sigma` is the noise where it is declared, with what the joints' own adds, in units inside.
     """
     if (over := share_left(fit)) > 1.0:
-        text = (
-            f"what is found of joint {fit.joint.number} is off by {over:.3g} times what its drive gives on samples that"
-        )
-        return Rest(fit.joint.number, "", 0.0, f"{text} took no part: it moved too little, or too much alike, to tell")
+        text = f"what is found of joint {fit.joint.number} is off by {over:.3g} times what its drive gives on samples"
+        return Rest(fit.joint.number, "", 0.0, f"{text} {TOO_LITTLE}", shown=False)
     known = dependences(fit)
     if known and (share := known[0].share) > SHOWS:
         name = known[0].channel
         on = SEEN.get(name, HISTORY).words
         text = f"what is left of joint {fit.joint.number} depends on {on}: {100 * share:.0f} % of its rms"
         return Rest(fit.joint.number, name, share, text)
+    rough = max(_rough(fit), 1e-300)
+    if (over := _held_out(fit) / rough) > SMOOTH and float(np.sqrt(np.mean(fit.left**2))) <= SMOOTH * rough:
+        text = f"what is found of joint {fit.joint.number} meets what it was fitted to, and is off by {over:.3g} times"
+        return Rest(fit.joint.number, "", 0.0, f"{text} the noise on samples {TOO_LITTLE}", shown=False)
     if (why := _no_noise(fit, sigma)) is None:
         return None
     if (found := by_run(fit)) is None:
