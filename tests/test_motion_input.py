@@ -12,8 +12,9 @@ import pytest
 import deltacal_gen as dc
 from deltacal_gen.errors import InputError
 from deltacal_gen.motion import derivatives, kinds
+from deltacal_gen.motion.lost import limits
 from tests.conftest import Run
-from tests.motion_recordings import STEP, named, robot, trajectory, usual, written
+from tests.motion_recordings import NOISE, STEP, named, robot, trajectory, usual, written
 
 
 @pytest.fixture(scope="module")
@@ -121,6 +122,22 @@ def test_of_a_drive_that_was_not_read_nothing_is_said(recorded: Path, tmp_path: 
     assert "What the drive of joint 2 gives was not recorded" in found["summary"]
     assert "moves too little" not in found["summary"]
     assert found["next_measurements"][0]["text"] == "Record what the drive of joint 2 gives: its cells are blank."
+
+
+def test_readings_at_a_limit_are_left_out(recorded: Path, tmp_path: Path) -> None:
+    """Those of drives that come near their largest seldom, of coarse counts, or of a switch are at none."""
+    (tmp_path / "robot.toml").write_text((recorded.parent / "robot.toml").read_text())
+    cut = changed(recorded, tmp_path, of_column(5, lambda torque: min(torque, 25.0)))
+    found = dc.diagnose(tmp_path / "robot.toml", cut)
+    assert [r.partition("csv:")[2].partition(": ")[2][:20] for r in found["motion"]["repairs"]] == [
+        "tau1_Nm is at a limi"
+    ]
+    assert named(found) == {"coulomb_friction": [1, 2], "viscous_friction": [1, 3]}
+    assert found["final"]["heldout_rms_by_joint"][0] < 1.15 * NOISE
+    y = np.random.default_rng(2).normal(size=4000)
+    assert limits(np.clip(y, -1.5, 2.0)) == pytest.approx([-1.5, 2.0])
+    for free in (y, np.round(y, 1), np.round(np.sign(y) + 0.05 * y, 2), np.sign(y), np.clip(y, -0.2, 0.2)):
+        assert not len(limits(free))
 
 
 def test_what_is_put_right_is_told_by_every_command(run: Run, recorded: Path, tmp_path: Path) -> None:

@@ -1,9 +1,13 @@
-"""Readings that were lost: a logger that no longer hears a drive writes its last reading on, or zeros."""
+"""Readings that were lost: a logger that no longer hears a drive writes its last reading on, or zeros.
+
+And those that were cut off: what a drive or its instrument reads at a limit tells nothing of what lies beyond.
+"""
 
 from __future__ import annotations
 
 import dataclasses
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -11,10 +15,15 @@ from deltacal_gen.motion.joint import USUAL, Joint
 from deltacal_gen.motion.library import Rung
 from deltacal_gen.motion.trajectories import Trajectories
 
+if TYPE_CHECKING:
+    from deltacal_gen.machine.registry import Array
+
 SELDOM = 0.05  # of the stretches of equal readings longer than one sample: those of a drive that hardly repeats itself
 CHANCE = 1e-6  # of a stretch of equal readings, where one is like the next as seldom as elsewhere
 ROUNDS = 3
 MOST = 0.5  # of a joint's samples: fewer that change do not refute more that stand still
+BEYOND = 10  # values next to the largest: that of a reading that was not cut off comes less often than these together
+CUT = 20  # readings at a limit, at least
 STALE = 3.0  # times the rest elsewhere: where a reading stands still and is off by more it is none
 
 
@@ -42,18 +51,35 @@ def lost(given: Trajectories, joint: Joint) -> np.ndarray:
     return np.flatnonzero(still) if off > STALE**2 * elsewhere else nothing
 
 
+def limits(y: Array) -> Array:
+    """Return the values (K,) at which readings (N,) were cut off: the largest comes again and again, or the smallest.
+
+    Of any other reading those near its largest become ever rarer. One that is mostly at a limit tells nothing else.
+    """
+    values, counts = np.unique(y, return_counts=True)
+    if len(values) <= 2 * BEYOND:
+        return values[:0]
+    most = [max(CUT, int(beside.sum())) for beside in (counts[1 : 1 + BEYOND], counts[-1 - BEYOND : -1])]
+    ends = np.array([0, -1])[counts[[0, -1]] > most]
+    return values[ends] if counts[ends].sum() < MOST * len(y) else values[:0]
+
+
 def without_lost(given: Trajectories, joints: Sequence[Joint]) -> Trajectories | None:
-    """Return a recording without the readings that were lost, and what is said of it; None where none were."""
+    """Return a recording without the readings that were lost or cut off, and what is said of it; None without any."""
     readings, repairs, lines = given.readings.copy(), list(given.repairs), set(given.repaired)
     for joint in joints:
-        rows = lost(given, joint)
+        y = given.readings[:, joint.number - 1]
+        why = "is at a limit, here and on {} rows more: what lies beyond is not seen"
+        if not len(rows := np.flatnonzero(np.isin(y, limits(y[joint.rows])))):
+            rows, why = (
+                lost(given, joint),
+                "stands still, here and on {} rows more, where all others foretell something else",
+            )
         if len(rows):
             readings[rows, joint.number - 1] = np.nan
             lines |= set(given.line[rows].tolist())
-            repairs.append(
-                f"{given.path}:{given.line[rows[0]]}: {given.columns[joint.number - 1]} stands still, here and on "
-                f"{len(rows) - 1} rows more, where all others foretell something else; these readings are left out"
-            )
+            where = f"{given.path}:{given.line[rows[0]]}: {given.columns[joint.number - 1]}"
+            repairs.append(f"{where} {why.format(len(rows) - 1)}; these readings are left out")
     if len(repairs) == len(given.repairs):
         return None
     return dataclasses.replace(given, readings=readings, repairs=tuple(repairs), repaired=tuple(sorted(lines)))

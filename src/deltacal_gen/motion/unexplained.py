@@ -209,25 +209,31 @@ def rest(fit: Fit, sigma: float | None) -> Rest | None:
 
     `sigma` is the noise where it is declared, with what the joints' own adds, in units inside.
     """
-    if (over := share_left(fit)) > 1.0:
-        text = f"what is found of joint {fit.joint.number} is off by {over:.3g} times what its drive gives on samples"
-        return Rest(fit.joint.number, "", 0.0, f"{text} {TOO_LITTLE}", shown=False)
-    known = dependences(fit)
-    if known and (share := known[0].share) > SHOWS:
+    number = fit.joint.number
+    short = _too_little(fit)
+    if share_left(fit) <= 1.0 and (known := dependences(fit)) and (share := known[0].share) > SHOWS:
         name = known[0].channel
         on = SEEN.get(name, HISTORY).words
-        text = f"what is left of joint {fit.joint.number} depends on {on}: {100 * share:.0f} % of its rms"
-        return Rest(fit.joint.number, name, share, text)
-    rough = max(_rough(fit), 1e-300)
-    if (over := _held_out(fit) / rough) > SMOOTH and float(np.sqrt(np.mean(fit.left**2))) <= SMOOTH * rough:
-        text = f"what is found of joint {fit.joint.number} meets what it was fitted to, and is off by {over:.3g} times"
-        return Rest(fit.joint.number, "", 0.0, f"{text} the noise on samples {TOO_LITTLE}", shown=False)
-    if (why := _no_noise(fit, sigma)) is None:
+        text = f"what is left of joint {number} depends on {on}: {100 * share:.0f} % of its rms"
+        return Rest(number, name, share, text)
+    if (why := short or _no_noise(fit, sigma)) is None:
         return None
     if (found := by_run(fit)) is None:
-        return Rest(fit.joint.number, "", 0.0, why)
-    text = f"what is left of joint {fit.joint.number} differs from run to run: {100 * found.share:.0f} % of its rms is"
-    return Rest(fit.joint.number, RUN, found.share, f"{text} an offset, or a part of the load, of each run's own")
+        return Rest(number, "", 0.0, why, shown=short is None)
+    text = (
+        f"what is left of joint {number} differs from run to run: {100 * found.share:.0f} % of its rms is an offset, or"
+    )
+    return Rest(number, RUN, found.share, f"{text} a part of the load, of each run's own")
+
+
+def _too_little(fit: Fit) -> str | None:
+    """Return by what a joint shows that it moved too little for what is found of it; None where it does not."""
+    rough, found = max(_rough(fit), 1e-300), f"what is found of joint {fit.joint.number}"
+    if (over := share_left(fit)) > 1.0:
+        return f"{found} is off by {over:.3g} times what its drive gives on samples {TOO_LITTLE}"
+    if (over := _held_out(fit) / rough) > SMOOTH and float(np.sqrt(np.mean(fit.left**2))) <= SMOOTH * rough:
+        return f"{found} meets what it was fitted to, and is off by {over:.3g} times the noise on samples {TOO_LITTLE}"
+    return None
 
 
 def _no_noise(fit: Fit, sigma: float | None) -> str | None:
