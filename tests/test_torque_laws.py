@@ -14,7 +14,14 @@ import sympy as sp
 import deltacal_gen as dc
 from deltacal_gen.diagnosis.laws.effect_file import effect_file
 from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.files.robot import read_robot
+from deltacal_gen.machine.registry import mechanism_of
+from deltacal_gen.motion import laws
+from deltacal_gen.motion.fit import fitted
+from deltacal_gen.motion.session import Session
+from deltacal_gen.motion.trajectories import read, read_sidecar
 from deltacal_gen.physics.formula import written as written_unit
+from deltacal_gen.physics.grammar import Atom, single
 from deltacal_gen.physics.law import load_law
 from derive.mathematics.effects import effect as derived
 from tests.motion_recordings import DEG, NOISE, named, written
@@ -215,3 +222,14 @@ def test_a_constant_beside_a_law_is_a_part_of_it(tmp_path: Path) -> None:
     (term,) = diagnosis["laws"][0]["terms"]
     assert term["expression"] == "c1*Max(c3 - q, 0) + c2"
     assert [c["value"] for c in term["coefficients"]] == pytest.approx([-20000.0, 2000.0, 0.1], rel=0.03)
+
+
+def test_a_term_that_is_nothing_throughout_is_dropped(tmp_path: Path) -> None:
+    """By another load on a joint, what begins at a load may begin beyond all of it: it was told with a number of 0."""
+    path = written(tmp_path, lambda s, load: 0 * load, seed=3, seconds=6.0)
+    robot, said = read_robot(tmp_path / "robot.toml"), read_sidecar(path)
+    assert said is not None
+    joint = Session.of(robot, read(path, mechanism_of(robot), said)).moving[2]
+    beyond, within = (single("q", Atom("Max({0} - q, 0)", (at,), 3)) for at in (-1e3, 0.1))
+    limits = {"q": (float(joint.states["q"].min()), float(joint.states["q"].max()))}
+    assert laws._alive(fitted(joint, []), (beyond, within), limits) == (within,)

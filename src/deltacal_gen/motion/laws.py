@@ -130,7 +130,9 @@ def _law(fit: Fit, sigma: float | None) -> Lawful | None:
         return None
     for _ in range(SETTLES if any(LOAD in form.states for form in forms) else 1):
         every = _Search(fit, folds)
-        forms, limits = every.settled(forms), every.limits
+        forms, limits = _alive(fit, every.settled(forms), every.limits), every.limits
+        if not forms:
+            return None
         terms = [_rung(form, limits) for form in forms]
         kept = _needed(fit, terms)
         after = _refitted(fit, kept, terms)
@@ -144,6 +146,12 @@ def _law(fit: Fit, sigma: float | None) -> Lawful | None:
         return None
     read = {state: limits[state] for form in forms for state in load_law(_name(form)).STATE}
     return Lawful(after.with_worth(), forms, read, gain, charge, *proof, alike, _std(after, forms, limits))
+
+
+def _alive(fit: Fit, forms: tuple[Form, ...], limits: dict[str, tuple[float, float]]) -> tuple[Form, ...]:
+    """Return the forms that are not nothing throughout: by another load on the joint, one may begin beyond it."""
+    states = fit.joint.states | {LOAD: fit.load}
+    return tuple(form for form in forms if fit.joint.of_rung(_rung(form, limits), states).any())
 
 
 def _needed(fit: Fit, terms: Sequence[Rung]) -> list[int]:
