@@ -307,3 +307,21 @@ def test_what_takes_much_away_and_is_not_named_says_why(tmp_path: Path) -> None:
     assert most
     for why in most:
         assert re.search(r"its search costs \d|does not foretell the others", why), why
+
+
+def test_two_effects_of_which_neither_pays_alone_are_found_together() -> None:
+    """What the other explains hangs together while it is not taken, and counts as few samples: slow waves here."""
+    rng, at, step = np.random.default_rng(4), np.arange(600), 0.01
+    X = np.column_stack([np.cos(2 * np.pi * at / 300), np.sin(2 * np.pi * at / 300)])
+    y, fold = X @ [1.0, 1.1] + 0.01 * rng.standard_normal(600), at // 300
+    rungs = Rung("torque_offset"), Rung("quadratic_friction")
+
+    def correlated(left: np.ndarray) -> float:
+        return regression.together(left, fold, np.ones(600, dtype=bool), step)
+
+    bench = regression.Bench.of(X, y, fold, np.empty(0))
+    ladder = Ladder(bench, rungs, ((0,), (1,)), X, y, correlated, fold)
+    assert all(ladder.gain([k], k, bench.folds) < ladder.charge(k) for k in (0, 1))
+    assert sorted(ladder.climb(bench.folds)) == [0, 1]
+    alone = dataclasses.replace(ladder, y=X[:, 0], bench=regression.Bench.of(X, X[:, 0], fold, np.empty(0)), counted={})
+    assert alone.climb(bench.folds) == [0]

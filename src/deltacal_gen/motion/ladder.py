@@ -21,6 +21,7 @@ NEARLY = 0.5  # of that: a size between those that are searched may buy the rest
 MOST = 8  # rungs
 BEGUN_WITH = DRY, VISCOUS
 LOOKED_AT = 15  # of the candidates that leave least of the samples of a fit: the ones that are held out
+PAIRED = 3  # of the rungs that buy enough and earn too little: those to which another is sought
 ROUNDS = 3  # of climbing and stepping back
 PER_COEFFICIENT = 6.0  # of chi2: what a coefficient must earn; and twice the logarithm of how many were looked at
 SEVERAL = "orders"  # a machine may have an effect that is searched so at several of them
@@ -130,8 +131,8 @@ class Ladder:
         chosen = [k for k in allowed if self.rungs[k].effect in BEGUN_WITH]
         for _ in range(ROUNDS):
             before = list(chosen)
-            while len(chosen) < MOST and (found := self._next(chosen, folds, allowed)) is not None:
-                chosen.append(found)
+            while len(chosen) < MOST and (found := self._next(chosen, folds, allowed)):
+                chosen.extend(found)
             chosen = self.needed(chosen, folds)
             if set(chosen) == set(before):
                 break
@@ -140,7 +141,7 @@ class Ladder:
     def buys(self, chosen: Sequence[int], rung: int, folds: Sequence[int]) -> float:
         """Return which part of the held-out rms a rung takes away beside the others chosen."""
         without = self.bench.held_out(self.columns([k for k in chosen if k != rung]), folds)
-        return 1.0 - float(np.sqrt(self.bench.held_out(self.columns([*chosen]), folds) / without))
+        return 1.0 - float(np.sqrt(self.bench.held_out(self.columns([*chosen]), folds) / max(without, 1e-300)))
 
     def together(self, chosen: Sequence[int]) -> float:
         """Return how many samples count as one, by what a fit of some rungs leaves.
@@ -236,24 +237,38 @@ class Ladder:
         waves = one.effect == other.effect and SEVERAL in one.kernels.SEARCHED
         return waves and abs(one.constants[0] - other.constants[0]) < self.resolution
 
-    def _next(self, chosen: list[int], folds: Sequence[int], allowed: Sequence[int]) -> int | None:
-        """Return the rung that buys most; None where none buys enough."""
+    def _next(self, chosen: list[int], folds: Sequence[int], allowed: Sequence[int]) -> list[int]:
+        """Return the rung that buys most, or two of which neither pays without the other; none where none buys enough.
+
+        What two explain hangs together, as long as either is not taken, and counts as few samples.
+        """
+        unpaid = []
+        for k in self._buying(chosen, folds, allowed):
+            if self._pays([*chosen, k], [k], folds):
+                return [k]
+            unpaid.append(k)
+        for k in unpaid[:PAIRED]:
+            for other in self._buying([*chosen, k], folds, allowed)[:PAIRED]:
+                if self._pays([*chosen, k, other], [k, other], folds):
+                    return [k, other]
+        return []
+
+    def _buying(self, chosen: list[int], folds: Sequence[int], allowed: Sequence[int]) -> list[int]:
+        """Return the rungs that may still be taken and buy enough, what buys most first."""
         rest = [k for k in self.open(chosen) if k in allowed]
         if not rest or len(folds) < 2:
-            return None
+            return []
         gains = self.bench.gains(self.columns(chosen), [self.at[k] for k in rest], folds)
         rest = [rest[n] for n in np.argsort(-gains)[:LOOKED_AT]]
         now = self.bench.held_out(self.columns(chosen), folds)
         errors = [self.bench.held_out(self.columns([*chosen, k]), folds) for k in rest]
-        for n in np.argsort(errors):
-            if np.sqrt(errors[n] / now) > 1.0 - BUYS:
-                return None
-            more = [*chosen, rest[n]]
-            if rest[n] in self.impossible(more, folds):
-                continue
-            if self.gain(more, rest[n], folds) > self.charge(rest[n]):
-                return rest[n]
-        return None
+        return [rest[n] for n in np.argsort(errors) if errors[n] < (1.0 - BUYS) ** 2 * now]
+
+    def _pays(self, chosen: list[int], taken: Sequence[int], folds: Sequence[int]) -> bool:
+        """Tell whether each of some rungs of those chosen could be and earns more than its charge."""
+        if set(taken) & set(self.impossible(chosen, folds)):
+            return False
+        return all(self.gain(chosen, k, folds) > self.charge(k) for k in taken)
 
     def needed(self, chosen: list[int], folds: Sequence[int]) -> list[int]:
         """Return the rungs without those that the others make needless, the most needless first.
