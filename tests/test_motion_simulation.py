@@ -43,6 +43,20 @@ def test_readings_that_come_late_are_told_with_their_delay(tmp_path: Path, comma
     assert found["effects"][-1]["title"] == "readings that come late"
 
 
+@pytest.mark.parametrize("stated", [True, False])
+@pytest.mark.parametrize("coulomb", [0.0, 4.0])
+def test_what_rounding_leaves_is_nothing(tmp_path: Path, stated: bool, coulomb: float) -> None:
+    """Simulated without noise: no effect, and no open question, of what is a ten-millionth of what drives give."""
+    truth = f'[[effects]]\nname = "coulomb_friction"\nlimbs = [2]\ncoulomb = {coulomb}\n'
+    path, made = planned(tmp_path, truth, runs=3, seconds=6.0), tmp_path / "made.csv"
+    dc.simulate(tmp_path / "robot.toml", path, made, truth=tmp_path / "truth.toml")
+    if not stated:
+        (tmp_path / "robot.toml").write_text(robot_to_toml(robot()))
+    found = dc.diagnose(tmp_path / "robot.toml", made)
+    assert named(found) == ({"coulomb_friction": [2]} if coulomb else {})
+    assert (found["unexplained"], found["laws"], "would drive" in found["summary"]) == ([], [], False)
+
+
 def test_a_joint_that_stands_has_no_dry_friction(tmp_path: Path) -> None:
     """The sign of a velocity that is what rounding leaves would make its drive chatter."""
     path = planned(tmp_path, '[[effects]]\nname = "coulomb_friction"\ncoulomb = 5.0\n', runs=1, seconds=4.0)

@@ -18,6 +18,7 @@ from deltacal_gen.motion.ladder import BUYS
 from deltacal_gen.motion.lag import with_lag
 from deltacal_gen.motion.library import Rung
 from deltacal_gen.motion.payload import PayloadError
+from deltacal_gen.motion.regression import EXACT
 from deltacal_gen.motion.session import Session
 
 Progress = Callable[[str], None]
@@ -111,4 +112,4 @@ def _as_good(fits: Sequence[Fit], free: Sequence[Fit]) -> bool:
 
 
 def _rms(fit: Fit) -> float:
-    return float(np.sqrt(np.nanmean(fit.held_out**2)))
+    return max(float(np.sqrt(np.nanmean(fit.held_out**2))), EXACT * fit.joint.given)

@@ -86,9 +86,14 @@ class Joint:
     piece: np.ndarray
     step: float
 
-    def bench(self, columns: Array) -> Bench:
-        """Return the normal equations of columns (M, r + c), the rigid machine's first."""
-        return Bench.of(columns, self.y, self.fold, self.usual)
+    def bench(self, columns: Array, fold: np.ndarray | None = None) -> Bench:
+        """Return the normal equations of columns (M, r + c), the rigid machine's first, by its folds (M,) or others."""
+        return Bench.of(columns, self.y, self.fold if fold is None else fold, self.usual, self.given**2)
+
+    @property
+    def given(self) -> float:
+        """What its drive gave (rms), in units inside."""
+        return float(np.sqrt(np.mean((self.y + self.carried) ** 2)))
 
     @property
     def unit(self) -> str:

@@ -28,6 +28,7 @@ MOVING = 0.5  # of the shortest stretch: so long the joint must be in motion in 
 LONGEST = 2.0  # s over which samples hang together, at most
 NOTHING = 1e-9  # of a column's mean square: what is left of one that others make up
 RIDGES = tuple(10.0**k for k in range(-9, -1))  # of a column's size, per sample
+EXACT = 1e-5  # of what a drive gives (rms): less is nothing, no drive is read so well, and files round
 BELIEVED = 3.0  # times what the joint gave: so much may one parameter of a machine ask in a movement of all joints
 
 
@@ -118,6 +119,8 @@ class Bench:
         What is known of these beforehand, in the same measure; see `prior_of`.
     ridge : float
         What is added to their normal equations, per sample, where it is more than that.
+    least : float
+        Mean square that is told from nothing.
     """
 
     G: Array
@@ -128,12 +131,14 @@ class Bench:
     rigid: int
     prior: float = RIDGES[0]
     ridge: float = RIDGES[0]
+    least: float = 0.0
 
     @classmethod
-    def of(cls, X: Array, y: Array, fold: np.ndarray, usual: Array) -> Bench:
+    def of(cls, X: Array, y: Array, fold: np.ndarray, usual: Array, given: float = 0.0) -> Bench:
         """Return the normal equations of columns X (N, p) and readings y (N,) of folds (N,).
 
-        The first columns (r) are the rigid machine's, `usual` (r,) their size in a movement of all joints.
+        The first columns (r) are the rigid machine's, `usual` (r,) their size in a movement of all joints; `given` is
+        the mean square of what the drive gave.
         """
         scale = np.sqrt(np.mean(X**2, axis=0))
         scale[: len(usual)] = usual
@@ -148,6 +153,7 @@ class Bench:
             np.array([float(p.sum()) for p in parts]),
             scale,
             len(usual),
+            least=EXACT**2 * given,
         )
 
     def with_columns(self, at: Sequence[int], X: Array, y: Array, fold: np.ndarray) -> Bench:
@@ -201,7 +207,7 @@ class Bench:
         """Return the sum of squares that coefficients leave on some folds."""
         G, g = self._of(columns, folds)
         left = self.yy[list(folds)].sum() - 2 * coefficients @ g + coefficients @ G @ coefficients
-        return float(max(left, 0.0))
+        return float(max(left, self.least * self.n[list(folds)].sum()))
 
     def train(self, columns: Sequence[int], folds: Sequence[int]) -> float:
         """Return the sum of squares that a fit on some folds leaves there."""
@@ -237,14 +243,14 @@ class Bench:
         """Return the mean square on each of some folds, of fits to the others, for every ridge: all solved at once."""
         at, rows = np.asarray(columns, dtype=int), np.asarray(folds, dtype=int)
         if not len(at):
-            return np.full(len(RIDGES), self.yy[rows].sum() / self.n[rows].sum())
+            return np.full(len(RIDGES), max(self.yy[rows].sum() / self.n[rows].sum(), self.least))
         G, g, n = self.G[np.ix_(rows, at, at)], self.g[np.ix_(rows, at)], self.n[rows]
         each = self._held(at, np.array(RIDGES)[:, None])
         rest = np.repeat((G.sum(axis=0) - G)[None], len(RIDGES), axis=0)
         rest[..., np.arange(len(at)), np.arange(len(at))] += each[:, None] * (n.sum() - n)[:, None]
         found = _each_solved(rest, g.sum(axis=0) - g)
         left = self.yy[rows] + (found * ((G @ found[..., None])[..., 0] - 2 * g)).sum(axis=2)
-        return np.asarray(np.maximum(left.sum(axis=1), 0.0) / n.sum())
+        return np.asarray(np.maximum(left.sum(axis=1) / n.sum(), self.least))
 
     def covariance(self, columns: Sequence[int], folds: Sequence[int] | None = None) -> Array:
         """Return the inverse of the normal equations of some folds, or all samples, of coefficients as scaled.

@@ -12,7 +12,7 @@ from scipy.stats import chi2
 from deltacal_gen.motion.fit import Fit
 from deltacal_gen.motion.ladder import PER_COEFFICIENT
 from deltacal_gen.motion.library import LOAD, hats
-from deltacal_gen.motion.regression import FOLDS, GAP, STRETCH, Bench
+from deltacal_gen.motion.regression import EXACT, FOLDS, GAP, STRETCH
 from deltacal_gen.physics.terms import remembers
 from deltacal_gen.states import named
 
@@ -137,7 +137,7 @@ def _held_out(fit: Fit) -> float:
 
 def share_left(fit: Fit) -> float:
     """Return which part of what the drive gave (rms) is left on held-out samples: above 1 nothing predicts better."""
-    return _held_out(fit) / max(float(np.sqrt(np.mean((fit.joint.y + fit.joint.carried) ** 2))), 1e-300)
+    return _held_out(fit) / max(fit.joint.given, 1e-300)
 
 
 def _apart(fit: Fit) -> int:
@@ -192,7 +192,7 @@ def by_run(fit: Fit) -> Dependence | None:
         return None
     beside = np.hstack([own, each, each * fit.load[:, None]])
     seconds = (joint.series.time[rows] // STRETCH).astype(int) % FOLDS
-    bench = Bench.of(beside, joint.y, seconds, joint.usual)
+    bench = joint.bench(beside, seconds)
     first, every, folds = range(own.shape[1]), range(beside.shape[1]), bench.folds
     if len(folds) < FOLDS:
         return None
@@ -209,9 +209,11 @@ def rest(fit: Fit, sigma: float | None) -> Rest | None:
 
     `sigma` is the noise where it is declared, with what the joints' own adds, in units inside.
     """
-    number = fit.joint.number
+    number, share_of_all = fit.joint.number, share_left(fit)
+    if share_of_all < EXACT:
+        return None
     short = _too_little(fit)
-    if share_left(fit) <= 1.0 and (known := dependences(fit)) and (share := known[0].share) > SHOWS:
+    if share_of_all <= 1.0 and (known := dependences(fit)) and (share := known[0].share) > SHOWS:
         name = known[0].channel
         on = SEEN.get(name, HISTORY).words
         text = f"what is left of joint {number} depends on {on}: {100 * share:.0f} % of its rms"
