@@ -325,3 +325,19 @@ def test_two_effects_of_which_neither_pays_alone_are_found_together() -> None:
     assert sorted(ladder.climb(bench.folds)) == [0, 1]
     alone = dataclasses.replace(ladder, y=X[:, 0], bench=regression.Bench.of(X, X[:, 0], fold, np.empty(0)), counted={})
     assert alone.climb(bench.folds) == [0]
+
+
+@pytest.mark.parametrize(
+    ("gains", "foretold", "pays"),
+    [((5.0, 50.0), (30.0, 0.0), True), ((5.0, 50.0), (9.0, 0.0), False), ((5.0, 9.0), (30.0, 30.0), False)],
+)
+def test_of_two_effects_one_may_earn_its_charge_where_it_took_no_part(
+    gains: tuple[float, float], foretold: tuple[float, float], pays: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The other must in the fit: of short stretches two waves foretell each other. One alone must, too."""
+    for name, values in {"gain": gains, "foretells": foretold, "charge": (10.0, 10.0)}.items():
+        monkeypatch.setattr(Ladder, name, lambda self, *of, values=values: values[of[1] if len(of) > 1 else of[0]])
+    monkeypatch.setattr(Ladder, "impossible", lambda self, *_: [])
+    of_two = ladder((0.0, 0.0), lambda _: 1.0)
+    assert of_two._pays([0, 1], [0, 1], (0, 1)) is pays
+    assert of_two._pays([0, 1], [0], (0, 1)) is False

@@ -265,10 +265,14 @@ class Ladder:
         return [rest[n] for n in np.argsort(errors) if errors[n] < (1.0 - BUYS) ** 2 * now]
 
     def _pays(self, chosen: list[int], taken: Sequence[int], folds: Sequence[int]) -> bool:
-        """Tell whether each of some rungs of those chosen could be and earns more than its charge."""
+        """Tell whether each of some rungs of those chosen could be and earns more than its charge.
+
+        One of two may earn it on folds that it took no part in: a fit without it counts as few samples.
+        """
         if set(taken) & set(self.impossible(chosen, folds)):
             return False
-        return all(self.gain(chosen, k, folds) > self.charge(k) for k in taken)
+        unpaid = [k for k in taken if self.gain(chosen, k, folds) <= self.charge(k)]
+        return len(unpaid) < len(taken) and all(self.foretells(chosen, k, folds) > self.charge(k) for k in unpaid)
 
     def needed(self, chosen: list[int], folds: Sequence[int]) -> list[int]:
         """Return the rungs without those that the others make needless, the most needless first.
