@@ -136,7 +136,8 @@ def test_readings_at_a_limit_are_left_out(recorded: Path, tmp_path: Path) -> Non
     assert found["final"]["heldout_rms_by_joint"][0] < 1.15 * NOISE
     y = np.random.default_rng(2).normal(size=4000)
     assert limits(np.clip(y, -1.5, 2.0)) == pytest.approx([-1.5, 2.0])
-    for free in (y, np.round(y, 1), np.round(np.sign(y) + 0.05 * y, 2), np.sign(y), np.clip(y, -0.2, 0.2)):
+    levels = np.repeat([2.0, 1.0, -1.0, -2.0, *np.linspace(-0.9, 0.9, 30)], [400, 900, 900, 400, *[5] * 30])
+    for free in (y, np.round(y, 1), np.round(np.sign(y) + 0.05 * y, 2), np.sign(y), np.clip(y, -0.2, 0.2), levels):
         assert not len(limits(free))
 
 

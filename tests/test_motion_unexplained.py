@@ -55,7 +55,9 @@ def test_a_movement_too_short_to_tell_is_told_so(tmp_path: Path) -> None:
     found = dc.diagnose(tmp_path / "robot.toml", written(tmp_path, usual, runs=1, seconds=5.0, seed=4))
     assert [u["limb"] for u in found["unexplained"]] == [1, 2, 3]
     assert all("it moved too little" in u["text"] and "nothing recorded" not in u["text"] for u in found["unexplained"])
-    assert found["next_measurements"][0]["text"].startswith("Record joint 1, 2, 3 for longer")
+    (longer, *_) = found["next_measurements"]
+    assert longer["text"].startswith("Record joint 1, 2, 3 for longer")
+    assert longer["run"] == ["q", "qd"]  # of which `next` makes a movement
 
 
 def test_what_each_run_has_of_its_own_is_told(tmp_path: Path) -> None:

@@ -41,7 +41,7 @@ OF_STATES = {
     "motion/library.py:of_joint": "computes the states of a joint in motion, each by its name",
     "motion/session.py:of_joints": "the noise of a joint's derivatives, in their order",
     "motion/identification.py:still_to_show": "what joints that moved one by one have not told of",
-    "motion/session.py:still_to_move": "what a joint that stood still has not told of",
+    "motion/session.py:to_move": "what a joint that stood still, or moved for too short a time, has not told of",
     "planning/runs.py:asked": "what runs can be made to vary: how fast they are, and what they carry",
     "motion/told.py:_curve": "friction is drawn along what else changes it, at a speed",
     "motion/unexplained.py:the module": "what answers call that on which a rest depends; the words are the table's",

@@ -19,7 +19,7 @@ from deltacal_gen.motion.lag import LATENCY
 from deltacal_gen.motion.laws import Lawful, lawful
 from deltacal_gen.motion.mistakes import check, sizes_alone, too_heavy
 from deltacal_gen.motion.payload import NAMES, PAYLOAD, PayloadError
-from deltacal_gen.motion.session import Session, still_to_move, untold
+from deltacal_gen.motion.session import Session, still_to_move, to_move, untold
 from deltacal_gen.motion.told import told
 from deltacal_gen.motion.traces import traces
 from deltacal_gen.motion.trajectories import INSIDE, Trajectories
@@ -438,7 +438,7 @@ def _next(
         found.append(NextMeasurement(why="runs differ", text=text, poses=(), expected_chi2=None))
     if short := ", ".join(str(r.joint) for r in rests if not r.shown):
         text = f"Record joint {short} for longer, all joints moving at once; plan gives such a movement."
-        found.append(NextMeasurement(why="movements were too short", text=text, poses=(), expected_chi2=None))
+        found.append(to_move("movements were too short", text))
     for effect in effects:
         if effect.indistinguishable_from:
             names = (effect.name, *effect.indistinguishable_from)

@@ -54,14 +54,18 @@ def lost(given: Trajectories, joint: Joint) -> np.ndarray:
 def limits(y: Array) -> Array:
     """Return the values (K,) at which readings (N,) were cut off: the largest comes again and again, or the smallest.
 
-    Of any other reading those near its largest become ever rarer. One that is mostly at a limit tells nothing else.
+    Of any other reading those near its largest become ever rarer. One that is mostly at a limit tells nothing else, nor
+    does one that repeats itself elsewhere, too: that is how it counts, or what it was told.
     """
     values, counts = np.unique(y, return_counts=True)
     if len(values) <= 2 * BEYOND:
         return values[:0]
     most = [max(CUT, int(beside.sum())) for beside in (counts[1 : 1 + BEYOND], counts[-1 - BEYOND : -1])]
-    ends = np.array([0, -1])[counts[[0, -1]] > most]
-    return values[ends] if counts[ends].sum() < MOST * len(y) else values[:0]
+    found: Array = values[np.array([0, -1])[counts[[0, -1]] > most]]
+    elsewhere = y[~np.isin(y, found)]
+    if len(elsewhere) <= (1.0 - MOST) * len(y) or np.mean(np.diff(elsewhere) == 0) > SELDOM:
+        return values[:0]
+    return found
 
 
 def without_lost(given: Trajectories, joints: Sequence[Joint]) -> Trajectories | None:
@@ -69,17 +73,15 @@ def without_lost(given: Trajectories, joints: Sequence[Joint]) -> Trajectories |
     readings, repairs, lines = given.readings.copy(), list(given.repairs), set(given.repaired)
     for joint in joints:
         y = given.readings[:, joint.number - 1]
-        why = "is at a limit, here and on {} rows more: what lies beyond is not seen"
-        if not len(rows := np.flatnonzero(np.isin(y, limits(y[joint.rows])))):
-            rows, why = (
-                lost(given, joint),
-                "stands still, here and on {} rows more, where all others foretell something else",
-            )
+        rows, why = np.flatnonzero(np.isin(y, limits(y[joint.rows]))), "is at a limit, {}: what lies beyond is not seen"
+        if not len(rows):
+            rows, why = lost(given, joint), "stands still, {}, where all others foretell something else"
         if len(rows):
             readings[rows, joint.number - 1] = np.nan
             lines |= set(given.line[rows].tolist())
             where = f"{given.path}:{given.line[rows[0]]}: {given.columns[joint.number - 1]}"
-            repairs.append(f"{where} {why.format(len(rows) - 1)}; these readings are left out")
+            here = f"here and on {len(rows) - 1} rows more"
+            repairs.append(f"{where} {why.format(here)}; these readings are left out")
     if len(repairs) == len(given.repairs):
         return None
     return dataclasses.replace(given, readings=readings, repairs=tuple(repairs), repaired=tuple(sorted(lines)))

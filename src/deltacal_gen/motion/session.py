@@ -332,14 +332,18 @@ def untold(session: Session, fits: Sequence[Fit]) -> Untold:
     return Untold(still, [j.number for j in unread], silent)
 
 
+def to_move(why: str, text: str) -> NextMeasurement:
+    """Return that joints should be moved, over their ranges and at several speeds."""
+    return NextMeasurement(why=why, text=text, poses=(), expected_chi2=None, run=("q", "qd"))
+
+
 def still_to_move(session: Session, fits: Sequence[Fit]) -> tuple[NextMeasurement, ...]:
     """Return that joints should be moved which stood still, and read whose readings lack or never change."""
     still, unread, silent = (", ".join(map(str, some)) for some in untold(session, fits))
     found = []
     if still:
         text = f"Move joint {still}, both ways and at several speeds, in runs of ten seconds at least."
-        why = "joints stood still"
-        found.append(NextMeasurement(why=why, text=text, poses=(), expected_chi2=None, run=("q", "qd")))
+        found.append(to_move("joints stood still", text))
     if unread:
         text = f"Record what the drive of joint {unread} gives: its cells are blank."
         found.append(NextMeasurement(why="readings are missing", text=text, poses=(), expected_chi2=None))

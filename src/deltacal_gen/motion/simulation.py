@@ -199,10 +199,8 @@ def simulated(
         )
     inertia = inertia + np.array([told.parameters.get(name, 0.0) for name in rigid.names])
     states = np.nan_to_num(found.states)
-    least = ROUNDED * np.abs(states[0]).max(axis=0, initial=0.0) / given.step
-    states[1][np.abs(states[1]) <= np.maximum(NOISY_SPEED * found.noise[0], least)] = (
-        0.0  # what stands has no direction
-    )
+    least = np.maximum(NOISY_SPEED * found.noise[0], ROUNDED * np.abs(states[0]).max(axis=0, initial=0.0) / given.step)
+    states[1][np.abs(states[1]) <= least] = 0.0  # what stands has no direction
     load = rigid.torque(states, inertia) + rigid.of_payload(states) * given.payload[:, None]
     for setup, values in told.payloads:
         load = load + torque_of(rigid, states, given, (setup,), values[None])
