@@ -35,6 +35,8 @@ from deltacal_gen.results.shown import rounded
 from deltacal_gen.units import DEG
 from deltacal_gen.use.prediction import known_effects
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 ORDERS = (2, 5, 9, 14, 20)
 JOINTS = (2, 3)
 NOISE = 0.01

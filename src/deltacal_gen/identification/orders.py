@@ -14,7 +14,6 @@ from functools import cache, cached_property
 from typing import NamedTuple
 
 import numpy as np
-from scipy.linalg import block_diag
 
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.residuals import lengths, rms
@@ -331,6 +330,8 @@ def _by_roots(roots: Sequence[Array], S: Array) -> Array:
 
 def _pull(found: Sized) -> Array:
     """Return what the prior adds to the normal equations (n, n)."""
+    from scipy.linalg import block_diag
+
     inverse = (np.diag(r**-2.0) if r.ndim == 1 else np.linalg.inv(r @ r.T) for r in found.roots)
     out: Array = block_diag(*inverse) * (found.noise / found.variance)
     return out

@@ -55,13 +55,14 @@ def limits(y: Array) -> Array:
     """Return the values (K,) at which readings (N,) were cut off: the largest comes again and again, or the smallest.
 
     Of any other reading those near its largest become ever rarer. One that is mostly at a limit tells nothing else, nor
-    does one that repeats itself elsewhere, too: that is how it counts, or what it was told.
+    does one that repeats itself elsewhere, too: that is how it counts, or what it was told. Zeros are no limit: they
+    are what a logger writes that hears nothing.
     """
     values, counts = np.unique(y, return_counts=True)
     if len(values) <= 2 * BEYOND:
         return values[:0]
     most = [max(CUT, int(beside.sum())) for beside in (counts[1 : 1 + BEYOND], counts[-1 - BEYOND : -1])]
-    found: Array = values[np.array([0, -1])[counts[[0, -1]] > most]]
+    found: Array = values[np.array([0, -1])[(counts[[0, -1]] > most) & (values[[0, -1]] != 0)]]
     elsewhere = y[~np.isin(y, found)]
     if len(elsewhere) <= (1.0 - MOST) * len(y) or np.mean(np.diff(elsewhere) == 0) > SELDOM:
         return values[:0]

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
-from scipy.optimize import brentq
 
 from deltacal_gen.instrument.facts import Look
 from deltacal_gen.instrument.kind import Frame, Instrument, Kind, Readings
@@ -65,6 +64,8 @@ def read_along(P: Array, y: Array) -> Array:
     Least squares on the unit sphere (Gander, Golub, von Matt 1989), along directions that the points show: without its
     length, the line of points on a surface that is read level would lie in that surface.
     """
+    from scipy.optimize import brentq
+
     U, sizes, V = np.linalg.svd(P, full_matrices=False)
     shown = sizes > SEEN * sizes[:1]
     U, sizes, V = U[:, shown], sizes[shown], V[shown]
