@@ -24,7 +24,7 @@ from deltacal_gen.files.robot import robot_to_toml
 from deltacal_gen.identification.carried import words as told_further
 from deltacal_gen.identification.folds import folds
 from deltacal_gen.identification.identification import identify
-from deltacal_gen.identification.orders import wave
+from deltacal_gen.identification.orders import Orders, wave
 from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.pages import report
 from deltacal_gen.physics.terms import Term
@@ -239,6 +239,16 @@ def test_another_session_tells_further_of_errors_where_the_diagnosis_never_was(
     bands = commands.predict(carried, far, bands=True).channels
     half = np.column_stack([(bands[f"{axis}_hi_mm"] - bands[f"{axis}_lo_mm"]) / 2 for axis in "xyz"])
     assert 0.9 < np.mean(np.abs(off(carried)) < np.hypot(half, 1.96 * NOISE)) <= 1.0
+
+
+def test_errors_that_are_held_stand_in_the_readings_again(at: Fit, found: Spectrum) -> None:
+    problem, parts = at.problem, folds(at.problem.readings, at.problem.recording)
+    turns, errors = problem.body.q[problem.readings.rows[:, 0]], {j: found.coefficients(j) for j in found.limbs}
+    anew = Orders(at, turns, found.limbs, parts, errors)
+    once = Orders(at, turns, found.limbs, parts, {}).without({j: c.ravel() for j, c in errors.items()})
+    assert once.held_out(None) == pytest.approx(anew.held_out(None), rel=1e-6, abs=1e-9, nan_ok=True)
+    sized = anew.sized(found.limbs, found.corner)
+    assert once.sized(found.limbs, found.corner).evidence == pytest.approx(sized.evidence, rel=1e-9)
 
 
 def test_errors_that_were_mended_since_are_dropped(half_seen: tuple[Path, Diagnosis]) -> None:

@@ -37,7 +37,7 @@ from deltacal_gen.units import DEG
 POSES, SEED = 400, 2021  # on which is judged what holds, drawn at random where there are more
 TOLERANCE = 0.1  # of chi2: what a last step of a fit may still gain that judges
 
-ROUNDS = 2  # of fits: rows that stood out from what was held take part where it is known further
+EXACT = 1e-6  # of a function's size: surer it is not known, of readings without noise either
 
 Part = tuple[str, int | None]  # an effect, and of a periodic one the joint: its orders stand and fall together
 
@@ -170,9 +170,9 @@ class Periodic:
         for j in limbs:
             angles = np.concatenate([np.arange(a, b + step / 2, step) for a, b in self.seen[j]])
             number = np.pi / self.corner / step
-            F = waves(angles) / (self.std[j] * number**0.5)
+            F = waves(angles) / (max(self.std[j], EXACT * self.rms[j]) * number**0.5)
             precision = F.T @ F + np.diag(1 / np.repeat(variance * shape(self.corner), 2))
-            out.append(np.linalg.cholesky(np.linalg.inv(precision)))
+            out.append(np.linalg.inv(np.linalg.cholesky(precision)).T)
         return out
 
 
@@ -194,37 +194,34 @@ def further(at: Fit, known: Periodic, again: Callable[[Problem, Fit], Fit]) -> F
     again : callable
         Returns the fit of a problem that differs in what is held, from a fit.
     """
-    problem, out = at.problem, None
+    problem, rows = at.problem, at.problem.readings.rows
     limbs = [j for j in known.errors if any(t.effect == wave() and j in t.limbs for t in problem.held)]
-    rows = problem.readings.rows
     if not limbs or rows.shape[1] != 1:
         return None
-    others = [t for t in problem.held if t.effect != wave()]
-    turns, roots = problem.body.q[rows[:, 0]], known.roots(limbs)
-    parts, change = folds(problem.readings, problem.recording), {j: np.zeros(2 * ORDERS) for j in limbs}
-    for _ in range(ROUNDS):
-        linear = Orders(at, turns, limbs, parts, change)
+    linear = Orders(at, problem.body.q[rows[:, 0]], limbs, folds(problem.readings, problem.recording), {})
+    roots = known.roots(limbs)
+    found = linear.of_prior(limbs, known.corner, roots)
+    if linear.weighs_otherwise(found.noise):
         found = linear.of_prior(limbs, known.corner, roots)
-        if linear.weighs_otherwise(found.noise):
-            found = linear.of_prior(limbs, known.corner, roots)
-        if (heldout := linear.borne_out(found)) is None:
-            return out
-        if out is None and heldout[1] >= Orders(at, turns, limbs, parts, known.errors).held_out_rms(None):
-            return None
-        each = linear.solved(found)
-        change = {j: own.values for j, own in each.items()}
-        held = (*others, *as_terms({j: known.errors[j] + c for j, c in change.items()}))
-        sigma = at.sigma * found.noise**0.5  # the orders' own degrees of freedom counted
-        at = again(dataclasses.replace(problem, held=held), at)
-        at = dataclasses.replace(at, covariance=linear.covariance(found), sigma=sigma)
-        told = Continued(
-            limbs=tuple(limbs),
-            change_rms_deg={str(j): own.rms / DEG for j, own in each.items()},
-            held_rms_mm=heldout[0],
-            heldout_rms_mm=heldout[1],
-        )
-        out = Further(at, told)
-    return out
+    heldout = linear.borne_out(found)
+    if heldout is None or heldout[1] >= linear.without({j: known.errors[j] for j in limbs}).held_out_rms(None):
+        return None
+    each = linear.solved(found)
+    held = [t for t in problem.held if t.effect != wave()]
+    held += as_terms({j: known.errors[j] + own.values for j, own in each.items()})
+    # what is found beside them is as unknown as the orders leave it, their own degrees of freedom counted
+    again_at = dataclasses.replace(
+        again(dataclasses.replace(problem, held=tuple(held)), at),
+        covariance=linear.covariance(found),
+        sigma=at.sigma * found.noise**0.5,
+    )
+    told = Continued(
+        limbs=tuple(limbs),
+        change_rms_deg={str(j): own.rms / DEG for j, own in each.items()},
+        held_rms_mm=heldout[0],
+        heldout_rms_mm=heldout[1],
+    )
+    return Further(again_at, told)
 
 
 def words(told: Continued) -> str:

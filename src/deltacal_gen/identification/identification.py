@@ -234,7 +234,7 @@ def _carried(
     final: Fit, rule: Solver, first: Fit, periodic: Periodic | None, robust: bool
 ) -> tuple[Fit, Continued | None, tuple[Missing, ...]]:
     """Return the fit beside periodic errors that are told further, or held as far as these readings bear them out."""
-    if periodic is None:
+    if periodic is None or final.problem.readings.made or all(t.effect != wave() for t in final.problem.held):
         return final, None, ()
     if (told := carried.further(final, periodic, lambda p, at: _fine(p, rule, at, robust))) is not None:
         return told.fit, told.told, ()

@@ -7,6 +7,7 @@ power beyond. What another session knew of it is a prior, too, which holds the f
 
 from __future__ import annotations
 
+import copy
 import dataclasses
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -290,6 +291,24 @@ class Orders:
         proven = better.sum() > PROVEN * float(np.std(better)) * np.sqrt(len(better))
         return (rms(before), rms(after)) if proven else None
 
+    def without(self, errors: Mapping[int, Array]) -> Orders:
+        """Return the same of readings in which errors (2 orders,) [rad] that are held in the fit stand again."""
+        out, n = copy.copy(self), self._n
+        t = np.zeros(len(self._grams[0]))
+        t[n] = 1.0
+        for j, values in errors.items():
+            i = self._limbs.index(j)
+            out._y = out._y + self._J[:, :, i] * (self._F[i] @ values)[:, None]
+            t[self._places([j])] = values
+        out._grams = []
+        for G in self._grams:
+            along = G @ t
+            own = G.copy()
+            own[n], own[:, n], own[n, n] = along, along, t @ along
+            out._grams.append(own)
+        vars(out).pop("_whole", None)
+        return out
+
     def held_out_rms(self, found: Sized | None) -> float:
         """Return the RMS [mm] of readings held out, beside no errors but those that are held where `found` is None."""
         return rms(lengths(self.held_out(found), self._problem.readings.kind))
@@ -332,6 +351,6 @@ def _pull(found: Sized) -> Array:
     """Return what the prior adds to the normal equations (n, n)."""
     from scipy.linalg import block_diag
 
-    inverse = (np.diag(r**-2.0) if r.ndim == 1 else np.linalg.inv(r @ r.T) for r in found.roots)
-    out: Array = block_diag(*inverse) * (found.noise / found.variance)
+    inverse = (np.diag(1 / r) if r.ndim == 1 else np.linalg.inv(r) for r in found.roots)
+    out: Array = block_diag(*(each.T @ each for each in inverse)) * (found.noise / found.variance)
     return out
