@@ -128,3 +128,13 @@ def test_contacts_need_their_names(tmp_path: Path) -> None:
     )
     with pytest.raises(InputError, match="'b'"):
         read_recording(path, mechanism_of(robot()))
+
+
+def test_a_part_that_touches_one_of_two_points_knows_no_distance_between_them(tmp_path: Path) -> None:
+    path = touched(tmp_path, {"a0": (430.0, 60.0, 120.0), "a1": (430.0, 110.0, 120.0)}, sigma=0.0, seed=3)
+    made = read_recording(path, mechanism_of(robot()))
+    assert made.contact is not None
+    part = made.subset(np.flatnonzero(made.contact == "a0"))
+    for recording, ties in ((made, 1), (part, 0)):
+        problem = pose_problem(robot(), recording, ())
+        assert len(problem.begin(problem.reference).ties) == ties

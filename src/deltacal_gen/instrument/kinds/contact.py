@@ -98,7 +98,8 @@ class Contact(Kind):
         own = names(recording)
         at = [x[found.rows[found.setup == s, 0], :3] for s in range(len(own))]
         state = [[*np.eye(3).ravel(), *(-P.mean(axis=0) if len(P) else np.zeros(3))] for P in at]
-        ties = tuple((own.index(a), own.index(b), d) for a, b, d in recording.contact_distances)
+        known = (tie for tie in recording.contact_distances if {tie[0], tie[1]} <= set(own))  # not all of a part
+        ties = tuple((own.index(a), own.index(b), d) for a, b, d in known)
         return self.tied(Instrument(self, np.array(state), SHIFT, ties=ties))
 
     def drawn(
