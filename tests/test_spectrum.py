@@ -227,7 +227,7 @@ def test_another_session_tells_further_of_errors_where_the_diagnosis_never_was(
     assert told.heldout_rms_mm < 0.7 * told.held_rms_mm
     assert carried.heldout_rms_mm == told.heldout_rms_mm
     assert carried.never_seen is None
-    assert "joints 2 and 3" in told_further(told)
+    assert "at joints 2 and 3" in told_further(told, robot())
 
     def off(result: Result) -> Array:
         return (commands.predict(result, far, bands=True).measured - far.measured)[:, :3]

@@ -183,7 +183,7 @@ class Further(NamedTuple):
     told: Continued
 
 
-def further(at: Fit, known: Periodic, again: Callable[[Problem, Fit], Fit]) -> Further | None:
+def further(at: Fit, known: Periodic, again: Callable[[tuple[Term, ...]], Fit]) -> Further | None:
     """Return a fit beside periodic errors that its readings tell more of; None where held-out readings do not prove it.
 
     Parameters
@@ -192,7 +192,7 @@ def further(at: Fit, known: Periodic, again: Callable[[Problem, Fit], Fit]) -> F
         Beside the errors as the diagnosis has them, or some of them.
     known : Periodic
     again : callable
-        Returns the fit of a problem that differs in what is held, from a fit.
+        Returns the fit beside other effects that are held.
     """
     problem, rows = at.problem, at.problem.readings.rows
     limbs = [j for j in known.errors if any(t.effect == wave() and j in t.limbs for t in problem.held)]
@@ -211,7 +211,7 @@ def further(at: Fit, known: Periodic, again: Callable[[Problem, Fit], Fit]) -> F
     held += as_terms({j: known.errors[j] + own.values for j, own in each.items()})
     # what is found beside them is as unknown as the orders leave it, their own degrees of freedom counted
     again_at = dataclasses.replace(
-        again(dataclasses.replace(problem, held=tuple(held)), at),
+        again(tuple(held)),
         covariance=linear.covariance(found),
         sigma=at.sigma * found.noise**0.5,
     )
@@ -224,13 +224,12 @@ def further(at: Fit, known: Periodic, again: Callable[[Problem, Fit], Fit]) -> F
     return Further(again_at, told)
 
 
-def words(told: Continued) -> str:
+def words(told: Continued, robot: Robot) -> str:
     """Return in words which periodic errors are told further, and what that is worth."""
-    first, last = ", ".join(map(str, told.limbs[:-1])), told.limbs[-1]
-    joints = f"joints {first} and {last}" if first else f"joint {last}"
+    where, held, now = at(robot, told.limbs), told.held_rms_mm, told.heldout_rms_mm
     return (
-        f"the periodic errors of {joints} go on from what the diagnosis knows of them: held-out readings lie "
-        f"{told.held_rms_mm:.3g} mm off with its own, {told.heldout_rms_mm:.3g} mm with what these readings tell beside"
+        f"the periodic errors{where} go on from what the diagnosis knows of them: held-out readings lie {held:.3g} mm "
+        f"off with its own, {now:.3g} mm with what these readings tell beside"
     )
 
 

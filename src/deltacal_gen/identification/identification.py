@@ -236,12 +236,17 @@ def _carried(
     """Return the fit beside periodic errors that are told further, or held as far as these readings bear them out."""
     if periodic is None or final.problem.readings.made or all(t.effect != wave() for t in final.problem.held):
         return final, None, ()
-    if (told := carried.further(final, periodic, lambda p, at: _fine(p, rule, at, robust))) is not None:
+
+    def beside(held: tuple[Term, ...]) -> Fit:
+        """Return the fit beside other effects that are held, from the machine as it stands with these."""
+        problem = dataclasses.replace(final.problem, held=held)
+        near = dataclasses.replace(final, machine=problem.solve(final.errors, final.machine))
+        return _fine(problem, rule, near, robust)
+
+    if (told := carried.further(final, periodic, beside)) is not None:
         return told.fit, told.told, ()
     held, dropped = carried.borne_out(final.problem, first)
-    if dropped:
-        final = _fine(dataclasses.replace(final.problem, held=held), rule, first, robust)
-    return final, None, dropped
+    return (beside(held) if dropped else final), None, dropped
 
 
 def _remedies(final: Fit, absorbed: int | None) -> tuple[Remedy, ...]:
