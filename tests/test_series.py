@@ -17,6 +17,7 @@ from deltacal_gen.identification.answer import Identification
 from deltacal_gen.identification.folds import folds
 from deltacal_gen.identification.identification import identify
 from deltacal_gen.identification.noise import coordinate_sigma
+from deltacal_gen.identification.tails import tails_of
 from deltacal_gen.identification.together import deviance_of, rows_alone
 from tests.benchmarks.honesty_nulls import ROBOT, SIGMA, drawn, null
 from tests.conftest import plausible
@@ -187,6 +188,19 @@ def test_a_file_that_was_sorted_is_in_the_order_of_its_time() -> None:
     # of two sessions in one file, each with its own clock, lines tell the order
     both = dataclasses.replace(made, channels={"time_s": 7.0 * (np.arange(made.n_rows) % (made.n_rows // 2))})
     assert identify(ROBOT, both, "delta/18").fit.repeats.rows == pytest.approx(as_taken.fit.repeats.rows)
+
+
+def test_noise_is_the_same_whichever_way_a_file_runs() -> None:
+    """What rows before tell of a row is not what those after do: a robust size of either is another."""
+    made = dataclasses.replace(null("AR mixed", 2), channels={})
+    back = dataclasses.replace(made.subset(slice(None, None, -1)), line=made.line)
+    there, again = (identify(ROBOT, rows).fit for rows in (made, back))
+    assert again.sigma == pytest.approx(there.sigma, rel=1e-4)
+    assert again.repeats.rows == pytest.approx(there.repeats.rows, rel=1e-3)
+    first, second = (tails_of(found) for found in (there, again))
+    assert second.shape == first.shape
+    assert second.spread == pytest.approx(first.spread, rel=1e-3)
+    assert again.errors == pytest.approx(there.errors, abs=1e-4)
 
 
 def test_folds_are_blocks_where_rows_hang_together() -> None:

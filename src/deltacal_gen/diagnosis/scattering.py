@@ -41,11 +41,12 @@ def scattering(at: Fit) -> Scatter | None:
         return None
     dx = problem.displacements(at.machine)[:, :, :limbs]
     J, _ = at.instrument.linearise(found, problem.seen(at.machine), dx)
-    z = replace(at.repeats, shape=None).freed(at.residual / at.sigma)[:, :k]
-    whole: np.ndarray = np.logical_and(np.isfinite(z).all(axis=1), (z**2).any(axis=1))
-    z, along = z[whole], J[whole, :k] / at.sigma[:k, None]
-    if len(z) < FEWEST * k * limbs:
+    freed = replace(at.repeats, shape=None).freed(at.residual / at.sigma)[:, :, :k]
+    ways = len(freed)
+    whole: np.ndarray = np.logical_and(np.isfinite(freed).all(axis=(0, 2)), (freed**2).any(axis=2).all(axis=0))
+    if whole.sum() < FEWEST * k * limbs:
         return None
+    z, along = freed[:, whole].reshape(-1, k), np.tile(J[whole, :k] / at.sigma[:k, None], (ways, 1, 1))
     size = (along**2).sum(axis=1)
     unit = size.mean(axis=0)
     if not (seen := unit > 0).any():
@@ -53,11 +54,11 @@ def scattering(at: Fit) -> Scatter | None:
     size, part = size[:, seen] / unit[seen], np.einsum("rk,rkj->rj", z, along[:, :, seen] / np.sqrt(unit[seen])) ** 2
     whole_size = (z**2).sum(axis=1)[:, None, None]
     by = SIZES / (1 + SIZES * size[:, :, None])  # (rows, joints, sizes)
-    gain = (-k * np.log1p(-by * part[:, :, None] / whole_size) - np.log1p(SIZES * size[:, :, None])).sum(axis=0)
+    gain = (-k * np.log1p(-by * part[:, :, None] / whole_size) - np.log1p(SIZES * size[:, :, None])).sum(axis=0) / ways
     j, s = np.unravel_index(int(np.argmax(gain)), gain.shape)
     joint = int(np.flatnonzero(seen)[j])
     whole_noise = 1 + SIZES[s] / k  # which a fit counts as one, in units of the noise beside the joint's
-    if gain[j, s] - max(explained(z), 0.0) < _price(limbs):
+    if gain[j, s] - max(explained(z, ways), 0.0) < _price(limbs):
         return None
     if SIZES[s] < ROUNDED * whole_noise * _by_steps(at, whole)[joint]:
         return None

@@ -71,6 +71,13 @@ class Correlated(ABC):
     def freed(self, values: Array) -> Array:
         """Return rows (R, ...) freed of what others tell; noise of size 1 stays so."""
 
+    def ways(self, values: Array) -> Array:
+        """Return rows (R, ...) freed in each way (w, R, ...) in which one may go through them: none is the noise's own.
+
+        Sums of their squares are the same but where a row counts less; a robust size is not.
+        """
+        return self.freed(values)[None]
+
     @abstractmethod
     def alone(self, values: Array) -> Array:
         """Return what all others do not tell of each row (R, k); noise of size 1 stays so."""

@@ -17,25 +17,26 @@ EXACT = 1e-10  # of the variance along one axis: less along another is rounding
 ROUNDS, SETTLED = 100, 1e-6  # of the fixed point, and what of the shape may still move
 
 
-def shape_of(z: Array) -> Array | None:
+def shape_of(z: Array, ways: int = 1) -> Array | None:
     """Return the covariance (k, k) of readings (R, k) whose components are zero on average, of mean variance 1.
 
-    None where they are as likely to be alike in all directions, or too few, or none is off in some direction.
+    None where they are as likely to be alike in all directions, or too few, or none is off in some direction. Each
+    reading may come in so many `ways`.
     """
     z = z[(z**2).sum(axis=1) > 0]
     n, k = z.shape
-    if k < 2 or n < FEWEST * _numbers(k):
+    if k < 2 or n < FEWEST * ways * _numbers(k):
         return None
     shape = _likeliest(z)
-    return shape if price_of(shape) < _explained(z, shape) < np.inf else None
+    return shape if price_of(shape) < _explained(z, shape) / ways < np.inf else None
 
 
-def explained(z: Array) -> float:
+def explained(z: Array, ways: int = 1) -> float:
     """Return how much the likeliest shape explains of the directions of readings (R, k), in the deviance.
 
     Without end, where many lie exactly in a plane, or along a line: rounding is no noise that has a shape.
     """
-    return _explained(z, _likeliest(z))
+    return _explained(z, _likeliest(z)) / ways
 
 
 def _explained(z: Array, shape: Array) -> float:

@@ -165,8 +165,8 @@ class _Rows:
     def _noise(self, residual: Array, quiet: np.ndarray | None = None) -> Array:
         if self._known is not None:
             return np.full(residual.shape[1], self._known)
-        freed = self.shared.freed(residual)
-        return robust_sigma(freed if quiet is None else freed[quiet], self._leverage, self._robust, self._found)
+        freed = self.shared.freed(residual if quiet is None else np.where(quiet[:, None], residual, np.nan))
+        return robust_sigma(freed.reshape(-1, residual.shape[1]), self._leverage, self._robust, self._found)
 
     def used(self, linear: System, solution: Solution, read: np.ndarray) -> None:
         """Note which part of each group's readings a solution has used up."""

@@ -90,12 +90,13 @@ class Repeats:
     def freed(self, residual: Array) -> Array:
         """Return residuals (R, k), NaN where nothing was read, as noise that each row has of its own would leave them.
 
-        What of noise that fades a fit took shows in them.
+        They come (w, R, k), in as many ways as one may go through rows that hang together: what is said of noise is
+        the same whichever way a file runs. What of noise that fades a fit took shows in them.
         """
         levelled = self.levelled(residual)
         if self.series is None:
-            return levelled
-        return np.where(np.isfinite(levelled), self.series.freed(np.nan_to_num(levelled)), np.nan)
+            return levelled[None]
+        return np.where(np.isfinite(levelled), self.series.ways(np.nan_to_num(levelled)), np.nan)
 
     def off(self, residual: Array) -> Array:
         """Return how far readings (R, k) are off what is predicted and, where they hang together, off their neighbours.

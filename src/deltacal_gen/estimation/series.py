@@ -142,6 +142,10 @@ class Series(Correlated):
         out[self.order] = e.reshape(values[self.order].shape)
         return out
 
+    def ways(self, values: Array) -> Array:
+        """Return rows (R, ...) freed of what those before tell, and of what those after do, (2, R, ...)."""
+        return np.stack([self.freed(values), self._backwards.freed(values)])
+
     def alone(self, values: Array) -> Array:
         """Return what the rows before and after do not tell of each row (R, k); noise of size 1 stays so."""
         after = np.append(self._told[1:], 0.0)
@@ -153,6 +157,12 @@ class Series(Correlated):
         told[:-1] += by_b[:-1, None] * v[1:]
         out[self.order] = (v - told) / np.sqrt(1 - by_a * a - by_b * b)[:, None]
         return out
+
+    @cached_property
+    def _backwards(self) -> Series:
+        """The same rows, from the last to the first."""
+        gap = np.concatenate([[np.inf], self.gap[:0:-1]])
+        return dataclasses.replace(self, order=self.order[::-1], gap=gap)
 
     @cached_property
     def _told(self) -> Array:

@@ -249,15 +249,15 @@ def alike_at_a_pose(final: Fit, recording: Recording) -> bool:
 def _excess(final: Fit, known: Noise) -> tuple[float, float]:
     """Return by which logarithm the variance that a fit leaves exceeds a known one, and how far it may by chance.
 
-    Where noise hangs together the fit has taken much of it: the rows are looked at freed of what those before tell.
+    Where noise hangs together the fit has taken much of it: the rows are looked at freed of what others tell.
     """
     problem, series = final.problem, final.repeats.series
-    z = final.repeats.freed(final.residual / final.sigma)
-    r = np.delete(lengths(z, problem.readings.kind) * final.sigma[0], final.gross, axis=0)
+    z = np.delete(final.repeats.freed(final.residual / final.sigma), final.gross, axis=1)
+    ways, r = len(z), lengths(z.reshape(-1, z.shape[2]), problem.readings.kind) * final.sigma[0]
     r = r[np.isfinite(r)] / (np.sqrt(2.0) if problem.readings.made else 1.0)
-    free = max(len(r) - final.solution.degrees - final.instrument.n_unknown, 1.0)
+    free = max(len(r) / ways - final.solution.degrees - final.instrument.n_unknown, 1.0)
     seen = free / (1.0 if series is None else series.rows_of_size)
-    excess = float(np.log(float(r @ r) / free / known.sigma**2))
+    excess = float(np.log(float(r @ r) / ways / free / known.sigma**2))
     return excess, float(PROVEN * np.sqrt(_spread(r) * (1 / seen + 1 / known.degrees)))
 
 

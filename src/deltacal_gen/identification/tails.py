@@ -52,21 +52,21 @@ NO_TAILS = Tails(1.0)
 
 def tails_of(final: Fit) -> Tails:
     """Return the tails of what a fit leaves: freed of what rows share, gross errors left out."""
-    z = np.delete(final.repeats.freed(final.residual / final.sigma), final.gross, axis=0)
-    return tails(z[np.isfinite(z)])
+    z = np.delete(final.repeats.freed(final.residual / final.sigma), final.gross, axis=1)
+    return tails(z[np.isfinite(z)], len(z))
 
 
-def tails(z: Array) -> Tails:
-    """Return the tails of residuals (n,) in units of a robust size."""
-    n, size = len(z), np.abs(z)
-    mean, square = float(size.mean()), float(size @ size) / n
+def tails(z: Array, ways: int = 1) -> Tails:
+    """Return the tails of residuals (n,) in units of a robust size, of which each comes in so many ways."""
+    n, size = len(z) / ways, np.abs(z)
+    mean, square = float(size.mean()), float(np.mean(size**2))
     if not square > 0:
         return NO_TAILS
     likely = np.array([-n / 2 * (np.log(2 * np.pi * square) + 1), -n * (np.log(2 * mean) + 1)])
     spreads = [np.sqrt(square), np.sqrt(2) * mean]
     for degrees in DEGREES:
         scale = _scale(size**2, degrees)
-        each = np.log1p(size**2 / (degrees * scale)).sum()
+        each = np.log1p(size**2 / (degrees * scale)).sum() / ways
         norm = lgamma((degrees + 1) / 2) - lgamma(degrees / 2) - log(pi * degrees * scale) / 2
         likely = np.append(likely, n * norm - (degrees + 1) / 2 * each - np.log(len(DEGREES)))
         spreads.append(np.sqrt(scale * degrees / (degrees - 2)))

@@ -131,7 +131,7 @@ def _suited(at: Fit, series: Correlated, count: int) -> tuple[Repeats, float]:
     z, taken = _rows(at, at.residual), _taken(at, count)
     series = series.weighted(_weights(at))
     best, cost = _along(at.repeats.as_plain(), series, z, taken)
-    shape = _shape(at, z if best.series is None else best.series.weighted(series.weight).freed(z))
+    shape = _shape(at, z[None] if best.series is None else best.series.weighted(series.weight).ways(z))
     if shape is None:
         return best, cost
     has = dataclasses.replace(best, series=None, shape=shape)
@@ -151,13 +151,17 @@ def _along(has: Repeats, series: Correlated, z: Array, taken: Taken | None) -> t
 
 
 def _shape(at: Fit, z: Array) -> Array | None:
-    """Return how noise differs between directions, of lengths and of rotations; None where it does not."""
+    """Return how noise differs between directions, of lengths and of rotations; None where it does not.
+
+    Rows come (w, R, k), freed of one another in each way in which one may go through them.
+    """
     if not np.isfinite(at.residual).all():
         return None
-    groups, shape = at.problem.readings.kind.noise_groups(z.shape[1]), np.eye(z.shape[1])
+    ways, _, k = z.shape
+    groups, shape = at.problem.readings.kind.noise_groups(k), np.eye(k)
     for group in np.unique(groups):
         own = np.flatnonzero(groups == group)
-        if (found := shape_of(z[:, own])) is not None:
+        if (found := shape_of(z[:, :, own].reshape(-1, len(own)), ways)) is not None:
             shape[np.ix_(own, own)] = found
     return None if (shape == np.eye(len(shape))).all() else shape
 
