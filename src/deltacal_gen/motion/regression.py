@@ -178,7 +178,8 @@ class Bench:
     def _of(self, columns: Sequence[int], folds: Sequence[int]) -> tuple[Array, Array]:
         """Return the normal equations of columns on some folds together."""
         at, rows = np.asarray(columns, dtype=int), np.asarray(folds, dtype=int)
-        return self.G[np.ix_(rows, at, at)].sum(axis=0), self.g[np.ix_(rows, at)].sum(axis=0)
+        rows = rows[:, None]
+        return self.G[rows[:, :, None], at[:, None], at].sum(axis=0), self.g[rows, at].sum(axis=0)
 
     def fit(self, columns: Sequence[int], folds: Sequence[int], ridge: float | None = None) -> Array:
         """Return the coefficients of columns, as scaled, by least squares on some folds."""
@@ -224,11 +225,13 @@ class Bench:
         else:
             found = np.zeros((0, G.shape[0] + 1))
         rest, left = G - G[:, at] @ found[:, :-1], g - G[:, at] @ found[:, -1]
-        out = []
-        for group in groups:
-            own = rest[np.ix_(group, group)] + NOTHING * self.n[rows].sum() * np.eye(len(group))
-            out.append(float(left[list(group)] @ np.linalg.solve(own, left[list(group)])))
-        return np.array(out)
+        count, out = np.array([len(group) for group in groups]), np.empty(len(groups))
+        for k in np.unique(count):  # those of like many columns at once
+            some = np.flatnonzero(count == k).tolist()
+            own = np.array([groups[i] for i in some], dtype=int).reshape(-1, k)
+            inner = rest[own[:, :, None], own[:, None, :]] + NOTHING * self.n[rows].sum() * np.eye(k)
+            out[some] = (left[own] * np.linalg.solve(inner, left[own][..., None])[..., 0]).sum(axis=1)
+        return out
 
     def held_out(self, columns: Sequence[int], folds: Sequence[int]) -> float:
         """Return the mean square on each of some folds, of fits to the others with the ridge that serves best."""
@@ -244,7 +247,7 @@ class Bench:
         at, rows = np.asarray(columns, dtype=int), np.asarray(folds, dtype=int)
         if not len(at):
             return np.full(len(RIDGES), max(self.yy[rows].sum() / self.n[rows].sum(), self.least))
-        G, g, n = self.G[np.ix_(rows, at, at)], self.g[np.ix_(rows, at)], self.n[rows]
+        G, g, n = self.G[rows[:, None, None], at[:, None], at], self.g[rows[:, None], at], self.n[rows]
         each = self._held(at, np.array(RIDGES)[:, None])
         rest = np.repeat((G.sum(axis=0) - G)[None], len(RIDGES), axis=0)
         rest[..., np.arange(len(at)), np.arange(len(at))] += each[:, None] * (n.sum() - n)[:, None]
