@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Sequence
 
 import numpy as np
 import pytest
 
 from deltacal_gen.diagnosis.beside import Beside
+from deltacal_gen.diagnosis.charges import best_set, gains
 from deltacal_gen.diagnosis.components import Components, of_noise, with_fitted
 from deltacal_gen.diagnosis.diagnosis import _first, _geometry
 from deltacal_gen.diagnosis.library import library
@@ -20,8 +22,8 @@ from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.identification.drawing import strained
 from deltacal_gen.identification.together import deviance_of
-from deltacal_gen.machine.registry import load_mechanism
-from deltacal_gen.physics.terms import Term
+from deltacal_gen.machine.registry import Array, load_mechanism
+from deltacal_gen.physics.terms import Term, blank
 from tests.benchmarks.concealed_cases import generate
 from tests.benchmarks.concealed_machines import EVERY, kinds
 from tests.conftest import plausible
@@ -117,3 +119,30 @@ def test_what_is_drawn_by_chance_is_found_where_it_is() -> None:
     assert deviance < found.deviance({}) - 100
     # once it is fitted nothing of it is left to be drawn
     assert Components.of(groups[:1], with_fitted(beside, aligned), price=2.0).likeliest()[0] == {}
+
+
+def test_a_coefficient_that_no_reading_sees_is_not_beyond_what_can_be() -> None:
+    """Rounding gives it a size of either sign: of a compliance half of them would be none."""
+    search, form = Search(geometry(), ()), blank("joint_tilt_compliance", (1, 2))
+    G, b = np.diag([1.0, 1e-17, 1.0, 1.0]), np.array([0.01, -1e-17, 0.01, -50.0])
+    assert [(c.row, c.name) for c in search._beyond(form, G, b, np.ones(4))] == [(1, "compliance_y")]
+
+
+def test_no_set_of_one_item_more_fewer_or_exchanged_is_worth_more() -> None:
+    """Of limbs that stand for one another, 8 columns of 5 directions, either way may pass by the best set."""
+    items = range(8)
+    for k in range(40):
+        rng = np.random.default_rng(k)
+        A = rng.standard_normal((40, 5)) @ rng.standard_normal((5, 8)) + 0.05 * rng.standard_normal((40, 8))
+        y = A @ (rng.standard_normal(8) * (rng.random(8) < 0.5)) + 2.0 * rng.standard_normal(40)
+        A /= np.linalg.norm(A, axis=0)
+
+        def worth(sets: Sequence[tuple[int, ...]], A: Array = A, y: Array = y) -> list[float]:
+            at = np.array(sets)
+            G, b = (A.T @ A)[at[:, :, None], at[:, None, :]], (A.T @ y)[at]
+            return [float(gain) - 6.0 * len(s) for gain, s in zip(gains(G, b), sets, strict=True)]
+
+        own, score = best_set(items, worth)
+        beside = [s for n in (1, 2, 3, 4, 5, 6, 7, 8) for s in itertools.combinations(items, n)]
+        beside = [s for s in beside if len(s) - len(own) in (-1, 0, 1) and len({*s} ^ {*own}) <= 2]
+        assert max(worth([s])[0] for s in beside) < score + 1e-6

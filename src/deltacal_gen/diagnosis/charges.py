@@ -22,6 +22,7 @@ CHANCE = 5e-4  # that noise alone earns a form, or a limb, its charge
 MOST_SETS, MOST_FORMS = 6, 3  # limbs of which all sets are looked at; forms of an effect on more that are
 UNSEEN = 1e-6  # part of a column's square beside the base: less is a combination of what is fitted
 SMALLEST = 1e-8  # of the largest eigenvalue: below it columns are combinations of one another
+NOTHING = 1e-6  # of chi2: what is worth so much more is rounding
 AS_GOOD = 1.0  # of chi2: what explains so much less is as likely
 BENT = 1e-4  # of a gain: what the linear machine may make of a movement of which a hundredth bends
 T = TypeVar("T")
@@ -186,7 +187,9 @@ def best_set(
 ) -> tuple[tuple[T, ...], float]:
     """Return the set of items that is worth most, and its worth: forwards one by one, then backwards from all.
 
-    `worth` takes sets of one size at a time.
+    Where items stand for one another rounding decides which way is gone, and either may pass by the best: from the
+    better end it goes on by one item more, fewer or exchanged, as long as that is worth more. `worth` takes sets of one
+    size at a time.
     """
     found: list[tuple[float, tuple[T, ...]]] = []
     own: tuple[T, ...] = ()
@@ -199,4 +202,26 @@ def best_set(
         score, own = max(zip(worth(tried), tried, strict=True), key=lambda pair: pair[0])
         found.append((score, own))
     score, own = max(found, key=lambda pair: pair[0])
+    while beside := _beside(own, items):
+        better, other = max(
+            (pair for sets in beside for pair in zip(worth(sets), sets, strict=True)), key=lambda pair: pair[0]
+        )
+        if better <= score + NOTHING:
+            break
+        score, own = better, other
     return own, score
+
+
+def _beside(own: Sequence[T], items: Sequence[T]) -> list[list[tuple[T, ...]]]:
+    """Return the sets of items, none of them empty, that differ from one by an item more, fewer or exchanged."""
+
+    def of(without: Sequence[T], more: Sequence[T]) -> tuple[T, ...]:
+        return tuple(i for i in items if i in more or (i in own and i not in without))
+
+    out, in_ = [i for i in items if i not in own], list(own)
+    sets = [
+        [of([], [new]) for new in out],
+        [of([old], []) for old in in_ if len(in_) > 1],
+        [of([old], [new]) for old in in_ for new in out],
+    ]
+    return [of_size for of_size in sets if of_size]

@@ -404,9 +404,9 @@ class Search:
         return float(max(g - charge(waves[0], forms, n) for n, g in enumerate(gain, start=1)))
 
     def _beyond(self, form: Term, G: Array, b: Array, size: Array) -> list[Beyond]:
-        """Return what of a form's best coefficients cannot be."""
+        """Return what of a form's best coefficients cannot be; of one that no reading sees that is never known."""
         inverse = np.linalg.pinv(G, rcond=SMALLEST, hermitian=True)
-        std = np.sqrt(np.maximum(np.diag(inverse), 0.0)) / size
+        std = np.where(np.diag(G) > UNSEEN, np.sqrt(np.maximum(np.diag(inverse), 0.0)) / size, np.inf)
         return beyond(form.with_values(inverse @ b / size), std, self.fit.problem.recording.joint_unit)
 
     def _refined(self, found: Found) -> Found:
