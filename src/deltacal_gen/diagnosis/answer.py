@@ -68,6 +68,7 @@ SHORT = 2.0  # times the noise: a held-out error beyond it says that the geometr
 MOST_TOLD = 3  # that the summary tells: hints; joints, and waves of each, of a smooth correction; orders of a joint
 MOST_ODDS = 100.0  # that are told as a number
 WORTH_SAYING = 0.02  # p-value of a hint that the summary tells
+ROUNDING = 1e-9  # of a standard deviation: less, of what no reading sees, is none
 
 
 @dataclass(frozen=True)
@@ -241,7 +242,7 @@ def _effect(found: Named, joint_unit: str, chance: Chance, clock: str) -> Effect
                 EffectParameter(
                     name=name,
                     limb=term.limbs[r] if term.limbs else None,
-                    value=float(row[c] / factor),
+                    value=float(row[c] / factor) if abs(row[c]) > ROUNDING * std[r, c] else 0.0,
                     std=float(std[r, c] / factor),
                     unit=unit,
                     tool_mm=term.tools[r] if term.tools else None,
