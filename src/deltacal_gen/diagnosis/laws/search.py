@@ -126,8 +126,10 @@ def unexplained(at: Fit) -> bool:
 def _longer(problem: Problem, now: Grown) -> Grown | None:
     """Return the law with one more term; None where none earns its price."""
     ground = Ground(now.fit)
-    first = [t for t in ranked(ground, AT_FIRST)[:1] if t.score > MARGIN]
-    rough = fitted(problem, now, ground, first[0], first) if first else None
+    first = [t for t in ranked(ground, AT_FIRST)[:TRIED] if t.score > MARGIN]
+    # on a jump by what the machine itself changes it may not come to rest: elsewhere it does
+    tried = (fitted(problem, now, ground, t, first) for t in first)
+    rough = next((g for g in tried if g is not None), None)
     if rough is None or rough.fit.sigma[0] >= now.fit.sigma[0]:
         return None
     return _sharpened(problem, now, rough.fit, ground, rough)
