@@ -21,6 +21,7 @@ from deltacal_gen.estimation.turns import turned
 from deltacal_gen.files.robot import Robot, robot_from_dict
 from deltacal_gen.identification.checks import plausible
 from deltacal_gen.identification.identification import identify
+from deltacal_gen.instrument.kinds import readings
 from deltacal_gen.machine.registry import Machine, mechanism_of
 from deltacal_gen.machine.rotation import from_vector
 from deltacal_gen.machine.values import Measurement, Recording
@@ -182,7 +183,7 @@ def test_a_reflector_that_nobody_wrote_down_is_no_nonsense(arm: Robot) -> None:
 LOUD = 0.05  # mm: noise beside which a step at fixed loads seems to arrive
 
 
-def softened(arm: Robot, rng: np.random.Generator) -> Problem:
+def softened(arm: Robot, rng: np.random.Generator, more: tuple[Term, ...] = ()) -> Problem:
     """Return the problem of an arm whose joints 2 and 3 yield by one degree at 100 Nm, an unknown size."""
     mass = {"mass": 20.0, "com": [-100.0, 0.0, 0.0]}
     joints = [
@@ -195,14 +196,22 @@ def softened(arm: Robot, rng: np.random.Generator) -> Problem:
     spring = blank("joint_compliance", (2, 3)).with_values(np.full((2, 1), 1e-5 * DEG))  # rad per N mm
     tilt = blank("joint_tilt_compliance", (1, 2)).with_values(np.full((2, 2), 3e-7 * DEG))
     free = mechanism_of(soft).model("serial/dh")
-    problem = pose_problem(soft, recorded(arm, wide(rng, 30, 1.0)), free, held=[tilt])
+    problem = pose_problem(soft, recorded(arm, wide(rng, 30, 1.0)), free, held=[tilt, *more])
     return problem.with_terms([spring, ripple], np.array([1e-7, 1e-7, 1e-3, 1e-3]))
 
 
-def test_loads_follow_a_soft_arm(arm: Robot) -> None:
-    """One degree at 100 Nm: derivatives at fixed loads are wrong by parts, those that follow the loads are not."""
-    rng = np.random.default_rng(5)
-    problem = softened(arm, rng)
+BASE = blank("base_compliance", ()).with_values(np.array([[4e-7, 7e-7]]) * DEG)  # rad per N mm
+
+
+@pytest.mark.parametrize(("more", "kind"), [((), "position"), ((BASE,), "position"), ((BASE,), "distance")])
+def test_loads_follow_a_soft_arm(arm: Robot, more: tuple[Term, ...], kind: str) -> None:
+    """One degree at 100 Nm: derivatives at fixed loads are wrong by parts, those that follow the loads are not.
+
+    A base that leans by the weight on it is the one thing by which a turn of the first joint changes a distance.
+    """
+    problem = softened(arm, np.random.default_rng(5), more)
+    if kind == "distance":
+        problem = dataclasses.replace(problem, readings=readings(problem.recording, as_distance=True))
     assert problem.gives_way
     coefficients = [t.values.ravel() for t in problem.terms]
     errors = np.concatenate([problem.reference[:-4], *coefficients])
@@ -218,7 +227,7 @@ def test_loads_follow_a_soft_arm(arm: Robot) -> None:
         true[:, :, k] = (back - there) / (2 * size)
     size = np.linalg.norm(true, axis=(0, 1))
     assert np.max(np.linalg.norm(true - fixed, axis=(0, 1)) / size) > 0.02
-    assert np.max(np.linalg.norm(true - fixed - felt, axis=(0, 1)) / size) < 1e-4
+    assert np.max(np.linalg.norm(true - fixed - felt, axis=(0, 1)) / size) < 2e-4
 
 
 def test_a_fit_of_a_soft_arm_ends_where_no_other_optimiser_finds_less(arm: Robot) -> None:
@@ -240,6 +249,13 @@ def test_a_fit_of_a_soft_arm_ends_where_no_other_optimiser_finds_less(arm: Robot
 @pytest.mark.parametrize("number", [0, *(pytest.param(k, marks=pytest.mark.thorough) for k in range(1, 20))])
 def test_fits_of_drawn_machines_arrive_where_another_optimiser_does(number: int) -> None:
     line = compared(11, number, starts=3)
+    assert not missed(line), line
+
+
+@pytest.mark.parametrize("number", [149, 502])
+def test_fits_that_once_ended_above_the_lowest_place_arrive(number: int) -> None:
+    """By 1.0 and 1.2 of chi2: of a base that leans, and of derivatives that followed loads far from where it ended."""
+    line = compared(20261126, number, starts=1)
     assert not missed(line), line
 
 

@@ -15,7 +15,8 @@ from deltacal_gen.machine.chain import Chain
 from deltacal_gen.machine.limbs import Limbs
 from deltacal_gen.machine.registry import COORDINATES, Array, mechanism_of
 from deltacal_gen.machine.rotation import cayley_matrix, cayley_vector
-from deltacal_gen.physics.body import Body, Deformed
+from deltacal_gen.physics.body import Body
+from deltacal_gen.physics.deformed import Deformed
 from deltacal_gen.physics.reading import reading_shift
 from deltacal_gen.physics.terms import Term, blank, effect_names
 from deltacal_gen.states import read_by

@@ -26,7 +26,7 @@ from deltacal_gen.estimation.system import whitened
 from deltacal_gen.identification.identification import identify
 from deltacal_gen.instrument.kind import Instrument
 from deltacal_gen.machine.registry import Array, mechanism_of
-from deltacal_gen.physics.body import Deformed
+from deltacal_gen.physics.deformed import Deformed
 from tests.benchmarks.arrival_problems import drawn
 from tests.benchmarks.sitting import add_options, kept, sit, wilson
 

@@ -32,7 +32,7 @@ from deltacal_gen.estimation.system import System, system, whitened
 from deltacal_gen.estimation.turns import turned
 from deltacal_gen.instrument.kind import Instrument
 from deltacal_gen.machine.registry import Array
-from deltacal_gen.physics.body import Deformed
+from deltacal_gen.physics.deformed import Deformed
 
 MAX_ITERATIONS = 60
 CONVERGED = 1e-4  # of chi2: what a last step could still gain; parameters then stand within 1e-2 of their deviation
@@ -199,20 +199,22 @@ class _Iteration:
         self._history: list[float] = []
         self._close = ESTIMATED_AT
         self._felt: Array | None = None  # by which the derivatives of a soft machine are others than at fixed loads
+        self._since = np.inf  # of chi2: what was promised where these were taken, and from there on
 
     def run(self, state: State, must_converge: bool, follow: bool) -> Fit:
         """Iterate from a state; see `fit`. Derivatives of a soft machine `follow` its loads from the first."""
         soft = self._problem.gives_way
-        damping, misled, history = 0.0, follow and soft, self._history
+        damping, follow, history = 0.0, follow and soft, self._history
         exact = soft and self._tolerance <= CONVERGED
         while True:
-            if (follow := misled and soft) and self._felt is None:
+            if follow and self._felt is None:
                 damping = 0.0  # derivatives are others now: steps may be whole again
             residual, linear, solution = self._solved(state, follow)
+            true = not exact or follow or self._since < SETTLED
             if self._arrived():
-                if self._felt is not None or not exact:
+                if true:
                     break
-                misled = True  # what derivatives at fixed loads call the lowest place is only near it
+                follow = True  # what derivatives at fixed loads, or of a place before, call the lowest is only near it
                 continue
             if len(history) == MAX_ITERATIONS:
                 if must_converge and min(history[-3:]) >= UNSETTLED:
@@ -221,11 +223,11 @@ class _Iteration:
             before, eased = state, damping
             whitened = self._rows.whitened
             state, damping = improved(self._problem, state, linear, solution, whitened, damping, self._tolerance)
-            misled = damping > eased
-            if state is before and len(history) > self._close + 1 + self._rows.later:
-                if self._felt is not None or not exact:
+            follow = soft and damping > eased
+            if state is before:
+                if true and len(history) > self._close + 1 + self._rows.later:
                     break  # no step lowers the objective: what the linear machine still promises is not to be had
-                misled = True
+                follow, damping = soft, 0.0  # rows or derivatives are others next
         rows, problem = self._rows, self._problem
         noise = _shared_noise(problem, rows.weights, state.machine.x)
         return Fit(
@@ -245,12 +247,13 @@ class _Iteration:
     def _solved(self, at: State, follow: bool) -> tuple[Array, Linear, Solution]:
         """Return residuals, weighed rows and the solution at a state, and note what it promises.
 
-        Derivatives `follow` the loads there, and from there on.
+        Derivatives `follow` the loads there, and from there on are taken for those: they are as good as exact while
+        steps stay within a part of a standard deviation, as those do that promise little.
         """
         problem, rows, history = self._problem, self._rows, self._history
         found = problem.linearise(at.errors, at.instrument, at.machine)
         if follow:
-            self._felt = problem.followed(*at)
+            self._felt, self._since = problem.followed(*at), 0.0
         if self._felt is not None:
             found = found._replace(J_p=found.J_p + self._felt)
         if len(history) < self._close and history and history[-1] < UNSETTLED:
@@ -266,6 +269,7 @@ class _Iteration:
         rows.used(linear, solution, np.isfinite(found.residual))
         objective = Linear(linear, departure, self._solver.weight)
         history.append(objective.gain(solution.u - departure))
+        self._since += history[-1]
         return found.residual, objective, solution
 
     def _arrived(self) -> bool:

@@ -11,7 +11,7 @@ from deltacal_gen.estimation.residuals import GROSS, Repeats, lengths, rms
 from deltacal_gen.estimation.solvers import Solution
 from deltacal_gen.instrument.kind import Instrument
 from deltacal_gen.machine.registry import Array
-from deltacal_gen.physics.body import Deformed
+from deltacal_gen.physics.deformed import Deformed
 
 SEEN = 0.9  # of a direction's variance beforehand that readings take away: it holds still
 

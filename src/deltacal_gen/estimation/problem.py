@@ -15,8 +15,9 @@ from deltacal_gen.instrument.kinds import measured_points, readings
 from deltacal_gen.machine.answers import Sensitivity
 from deltacal_gen.machine.registry import Array, Machine, mechanism_of
 from deltacal_gen.machine.values import Recording, Robot
-from deltacal_gen.physics.body import Body, Deformed, follows
+from deltacal_gen.physics.body import Body, follows
 from deltacal_gen.physics.channels import Channels
+from deltacal_gen.physics.deformed import Deformed
 from deltacal_gen.physics.following import following
 from deltacal_gen.physics.motion import with_motion
 from deltacal_gen.physics.reading import reading_shift
@@ -168,10 +169,9 @@ class Problem:
 
     def sensitivity(self, machine: Deformed, used: np.ndarray) -> Sensitivity:
         """Return the derivatives of what instruments look at, the platform's pose or the joints, in some rows."""
-        rows = machine.rows if len(machine.rows) == 1 else machine.rows[used]
         if self.readings.kind.sees_joints:
             return self.mechanism.joint_sensitivity(len(used))
-        return self.mechanism.sensitivity(machine.x[used], machine.q[used], machine.tool[used], rows)
+        return self.body.sensitivity(machine, used)
 
     def _moved(
         self, terms: Sequence[Term], machine: Deformed, used: np.ndarray, sensitivity: Sensitivity

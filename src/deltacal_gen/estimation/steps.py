@@ -21,7 +21,7 @@ from deltacal_gen.estimation.solvers import WEAKEST, Solution
 from deltacal_gen.estimation.system import System, length_of
 from deltacal_gen.instrument.kind import Instrument
 from deltacal_gen.machine.registry import Array
-from deltacal_gen.physics.body import Deformed
+from deltacal_gen.physics.deformed import Deformed
 
 TRIALS = 30  # of the damping within a step: from none to that of a gradient step of rounding's size
 FIRST, NONE, MOST = 1e-3, 1e-7, 1e16  # dampings: the first that is tried, below which there is none, the largest

@@ -66,6 +66,22 @@ class Sensitivity:
         flat = self.own.reshape(*self.own.shape[:2], -1)
         return np.concatenate([flat, self.common.sum(axis=2)], axis=2) if self.common.shape[3] else flat
 
+    def turned(self, turns: Array) -> Sensitivity:
+        """Return the derivatives of poses that are turned about the origin of {O} by matrices (N, 3, 3)."""
+
+        def led(by: Array) -> Array:
+            both = turns.reshape(len(turns), 1, 3, 3) @ by.reshape(len(by), 2, 3, -1)  # shift and turn
+            return np.asarray(both.reshape(by.shape))
+
+        bent = self.bent
+        return Sensitivity(
+            own=led(self.own),
+            common=led(self.common),
+            bent=led(bent) if isinstance(bent, np.ndarray) else lambda limbs: led(bent(limbs)),
+            joints=led(self.joints),
+            whole=None if self.whole is None else led(self.whole),
+        )
+
 
 class Loads(NamedTuple):
     """What weights exert in a machine at N poses; each is conjugate to a displacement, positive along it.

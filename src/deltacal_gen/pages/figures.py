@@ -338,7 +338,7 @@ def _at_joints(found: Diagnosis) -> Array:
     """Return what turns a position's residual into errors of the joints, (R, n_q, 3), at the calibrated machine."""
     body, errors = body_of(found)
     machine, _ = body.solve(errors, ())
-    speed = body.mechanism.sensitivity(machine.x, machine.q, machine.tool, machine.rows).joints[:, :3]
+    speed = body.sensitivity(machine).joints[:, :3]
     turn = found.instrument.state[0, :9].reshape(3, 3)  # of {O} in the instrument's frame
     out: Array = np.linalg.pinv(speed) @ turn.T
     return out

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Mapping, Sequence
-from typing import NamedTuple
 
 import numpy as np
 
@@ -19,9 +18,10 @@ from deltacal_gen.errors import InputError
 from deltacal_gen.machine.answers import Sensitivity
 from deltacal_gen.machine.machine import POSE
 from deltacal_gen.machine.registry import SOLVED, STATUS, UNBALANCED, Array, Machine
-from deltacal_gen.machine.rotation import cayley_matrix, swept
+from deltacal_gen.machine.rotation import cayley_matrix
 from deltacal_gen.machine.values import Masses, Recording, Robot
 from deltacal_gen.physics.channels import Channels
+from deltacal_gen.physics.deformed import AXES, Deformed, carried, turned
 from deltacal_gen.physics.memory import Along, along
 from deltacal_gen.physics.parts import along_deflections, lacking, lacks
 from deltacal_gen.physics.terms import Constant, Term, blank, partial, remembers
@@ -32,24 +32,6 @@ EQUILIBRIUM_STEPS = 25
 EQUILIBRIUM_DONE = 1e-9  # mm and rad: change of the pose that the next step would bring
 EQUILIBRIUM_LEFT = 1e-6  # mm and rad: change of the pose by the last step, above which there is no equilibrium
 STEP_S = 1e-3  # of the second difference that gives the accelerations of the weights
-AXES = ("x", "y", "z")
-
-
-class Deformed(NamedTuple):
-    """A machine moved by effects: what the kernels read.
-
-    Attributes
-    ----------
-    x, q, tool, rows : (N, 12), (N, n_q), (N, 3), (1 or N, limbs, n_p) arrays
-    restless : (N,) array of int, optional
-        At rows without static equilibrium the joint, from 1, that is thrown back and forth; 0 elsewhere.
-    """
-
-    x: Array
-    q: Array
-    tool: Array
-    rows: Array
-    restless: np.ndarray | None = None
 
 
 class Body:
@@ -394,7 +376,7 @@ class Body:
                 return Deformed(x, self.q, self.tool, plain), status
             ok, q, rows = status == SOLVED, self.q, plain
         else:
-            x, q, rows, ok = near.x, near.q, near.rows, np.isfinite(near.x).all(axis=1)
+            x, q, rows, ok = near.upright, near.q, near.rows, np.isfinite(near.x).all(axis=1)
         tool, before = self.tool, 0.0
         shift: dict[str, Array] = {}
         restless = None
@@ -417,12 +399,9 @@ class Body:
             restless = np.where(left, _restless(earlier, shift, len(x)), 0)
             x, status = np.where(left[:, None], np.nan, x), np.where(left, UNBALANCED, status)
         turn = np.column_stack([np.broadcast_to(shift.get(f"turn.{a}", 0.0), len(x)) for a in AXES])
-        if turn.any():
-            x = x.copy()
-            turned = cayley_matrix(turn)
-            x[:, :3] = (turned @ x[:, :3, None])[..., 0]
-            x[:, 3:] = (turned @ x[:, 3:].reshape(-1, 3, 3)).reshape(-1, 9)
-        return Deformed(x, q, tool, rows, restless), status
+        if not turn.any():
+            return Deformed(x, q, tool, rows, restless), status
+        return Deformed(turned(x, cayley_matrix(turn)), q, tool, rows, restless, turn), status
 
     def _steady(self, terms: Sequence[Term], rows: Array) -> dict[str, Array]:
         """Return the displacement of every target by effects of the reported joints and of channels alone."""
@@ -443,6 +422,12 @@ class Body:
 
     # ---------------------------------------------------------------------------------------------------- columns
 
+    def sensitivity(self, machine: Deformed, used: np.ndarray | slice = slice(None)) -> Sensitivity:
+        """Return the derivatives of the pose in some rows, of a base that has turned as it stands then."""
+        rows = machine.rows if len(machine.rows) == 1 else machine.rows[used]
+        found = self.mechanism.sensitivity(machine.upright[used], machine.q[used], machine.tool[used], rows)
+        return found if machine.turn is None else found.turned(cayley_matrix(machine.turn[used]))
+
     def columns(self, terms: Sequence[Term], body: Deformed, sensitivity: Sensitivity, chosen: np.ndarray) -> Array:
         """Return derivatives of platform coordinates, or joints, by all coefficients, (N, n_x, n_c), at fixed loads.
 
@@ -455,7 +440,7 @@ class Body:
         out, start = np.zeros((N, n_x, sum(t.n_coefficients for t in terms))), 0
         if not terms:
             return out
-        state = self.state(states_read(terms), np.nan_to_num(body.x), body.q, body.rows, self.pulled(terms))
+        state = self.state(states_read(terms), body.upright, body.q, body.rows, self.pulled(terms))
         every = limbs_of([t for t in terms if self._deflects(t)])
         for _, group in itertools.groupby(terms, key=lambda t: (t.effect, t.limbs)):
             forms = list(group)
@@ -510,27 +495,23 @@ class Body:
     def _machine_columns(
         self, term: Term, state: Mapping[str, Array], body: Deformed, n_x: int, chosen: np.ndarray
     ) -> Array:
-        kernels = term.kernels
         out = np.zeros((len(self.q), n_x, term.n_coefficients))
-        if kernels.ACTS_ON == "reading" or n_x != self.mechanism.n_x:  # what moves the platform moves no joint
+        if term.kernels.ACTS_ON == "reading" or n_x != self.mechanism.n_x:  # what moves the platform moves no joint
             return out
-        D = self.derivatives(term, self.read(term, state), self.coefficients(term))
-        for j, target in enumerate(kernels.TARGETS):
-            axis = AXES.index(target[-1])
-            unit = np.eye(3)[axis]
-            if target.startswith("turn."):
-                step = np.hstack([swept(body.x[:, :3])[:, :, axis], np.tile(unit, (len(out), 1))])
-            else:
-                step = np.zeros((len(out), n_x))
-                step[:, :3] = np.nan_to_num(body.x[:, 3:]).reshape(-1, 3, 3)[:, :, axis]
-            moved = step[:, :, None] * D[:, None, j, :]
-            if term.tools:
-                moved = np.concatenate([np.where(self.uses(t)[:, None, None], moved, 0.0) for t in term.tools], axis=2)
-            out += moved
+        D = self.by_coefficients(term, state)
+        for j, target in enumerate(term.kernels.TARGETS):
+            out += carried(target, body)[:, :, None] * D[:, None, j, :]
         keep = np.zeros(len(out), dtype=bool)
         keep[chosen] = True
         out[~keep] = 0.0
         return out
+
+    def by_coefficients(self, term: Term, state: Mapping[str, Array]) -> Array:
+        """Return the derivatives (N, n_t, n_c) of what an effect moves of the base or the point by its coefficients."""
+        D = self.derivatives(term, self.read(term, state), self.coefficients(term))
+        if not term.tools:
+            return D
+        return np.concatenate([np.where(self.uses(t)[:, None, None], D, 0.0) for t in term.tools], axis=2)
 
     def check(self, machine: Deformed, status: np.ndarray, used: np.ndarray, recording: Recording) -> None:
         """Raise an InputError that names the first row of `used` without a pose."""

@@ -12,12 +12,13 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from deltacal_gen.machine.registry import Array
-from deltacal_gen.physics.body import Body, Deformed, by_limb, follows, states_read
+from deltacal_gen.physics.body import Body, by_limb, follows, states_read
+from deltacal_gen.physics.deformed import AXES, Deformed, carried
 from deltacal_gen.physics.terms import Term
 
 STEP = 1e-4  # mm or rad: by which a machine is displaced to see how its loads follow
 
-Place = tuple[str, int]  # what an effect moves: target, and limb from 0
+Place = tuple[str, int]  # what an effect moves: target, and limb from 0; of base and point 0
 
 
 def following(
@@ -26,7 +27,7 @@ def following(
     """Return what the derivatives of platform coordinates gain where loads follow the machine, (N, n_x, n).
 
     By source errors of these `names`, then by the coefficients of `terms`; beside the mechanism's sensitivity and
-    `Body.columns`, which are at fixed loads. Effects that move the platform alone bring no load about.
+    `Body.columns`, which are at fixed loads.
 
     Parameters
     ----------
@@ -37,21 +38,21 @@ def following(
     machine : Deformed
         In equilibrium under all of them.
     """
-    pulled = [t for t in (*terms, *held) if by_limb(t) and follows(t)]
-    x = np.nan_to_num(machine.x)
+    pulled = [t for t in (*terms, *held) if t.kernels.ACTS_ON != "reading" and follows(t)]
+    x = machine.upright
     ends = list(dict.fromkeys(place for t in pulled for place in _places(body, t)))
-    moved_freely = [place for t in terms if by_limb(t) for place in _places(body, t)]
+    moved_freely = [place for t in terms for place in _places(body, t)]
     at = {place: k for k, place in enumerate(dict.fromkeys((*ends, *moved_freely)))}
     if not ends:
         return np.zeros((len(x), body.mechanism.n_x, len(names) + sum(t.n_coefficients for t in terms)))
     reads, limbs = states_read(pulled), body.pulled(pulled)
 
-    def loaded(q: Array, rows: Array) -> Array:
-        there, _ = body.mechanism.forward(q, machine.tool, rows, near=x)
+    def loaded(q: Array, tool: Array, rows: Array) -> Array:
+        there, _ = body.mechanism.forward(q, tool, rows, near=x)
         moved = body.moved(pulled, body.state(reads, np.nan_to_num(there), q, rows, limbs))
-        return np.stack([moved[target][:, j] for target, j in ends], axis=1)
+        return np.stack([v if (v := moved[target]).ndim == 1 else v[:, j] for target, j in ends], axis=1)
 
-    still, plain = loaded(machine.q, machine.rows), body.mechanism.rows(body.robot, errors)
+    still, plain = loaded(machine.q, machine.tool, machine.rows), body.mechanism.rows(body.robot, errors)
     by_place, by_name = np.empty((len(x), len(ends), len(at))), np.empty((len(x), len(ends), len(names)))
     for place, k in at.items():
         by_place[:, :, k] = (loaded(*_displaced(body, machine, place)) - still) / STEP
@@ -59,46 +60,67 @@ def following(
         moved = errors.copy()
         moved[body.mechanism.index[name]] += STEP
         rows = machine.rows + (body.mechanism.rows(body.robot, moved) - plain)
-        by_name[:, :, k] = (loaded(machine.q, rows) - still) / STEP
+        by_name[:, :, k] = (loaded(machine.q, machine.tool, rows) - still) / STEP
     own = np.concatenate([by_name, by_place @ _direct(body, terms, at, machine)], axis=2)
     return _moving(body, machine, ends) @ np.linalg.solve(np.eye(len(ends)) - by_place[:, :, : len(ends)], own)
 
 
 def _places(body: Body, term: Term) -> list[Place]:
-    own = [i - 1 for i in term.limbs] or range(body.mechanism.limbs)
+    if term.kernels.ACTS_ON == "reading":
+        return []
+    limbs = range(body.mechanism.limbs) if by_limb(term) else (0,)
+    own = [i - 1 for i in term.limbs] or limbs
     return [(target, j) for target in term.kernels.TARGETS for j in own]
 
 
-def _displaced(body: Body, machine: Deformed, place: Place) -> tuple[Array, Array]:
-    """Return joints and rows of parameters of a machine of which one thing has moved by a step."""
+def _displaced(body: Body, machine: Deformed, place: Place) -> tuple[Array, Array, Array]:
+    """Return joints, points and rows of parameters of a machine of which one thing has moved by a step.
+
+    A turn of the base turns what is read, and no load: it comes last; see `Body.solve`.
+    """
     target, j = place
+    q, tool, rows = machine.q, machine.tool, machine.rows
     if target == "joint":
-        return machine.q + STEP * np.eye(body.mechanism.limbs)[j], machine.rows
-    rows = machine.rows.copy()
-    for name, much in body.moves[target[5:]].items():
-        rows[:, :, body.mechanism.column(name)] += STEP * much[:, j]
-    return machine.q, rows
+        q = q + STEP * np.eye(body.mechanism.limbs)[j]
+    elif target.startswith("tool."):
+        tool = tool + STEP * np.eye(3)[AXES.index(target[-1])]
+    elif target.startswith("limb."):
+        rows = rows.copy()
+        for name, much in body.moves[target[5:]].items():
+            rows[:, :, body.mechanism.column(name)] += STEP * much[:, j]
+    return q, tool, rows
 
 
 def _moving(body: Body, machine: Deformed, places: Sequence[Place]) -> Array:
     """Return the derivatives of the platform's coordinates by what effects move, (N, n_x, k)."""
-    S = body.mechanism.sensitivity(np.nan_to_num(machine.x), machine.q, machine.tool, machine.rows)
-    limbs = sorted({j + 1 for _, j in places})
-    by_target = {t: S.joints if t == "joint" else body.along(S, t[5:], limbs) for t, _ in places}
+    S = body.sensitivity(machine)
+    limbs = sorted({j + 1 for target, j in places if target.startswith("limb.")})
+    by_target = {
+        target: S.joints
+        if target == "joint"
+        else body.along(S, target[5:], limbs)
+        if target.startswith("limb.")
+        else carried(target, machine)[:, :, None]
+        for target, _ in places
+    }
     return np.stack([by_target[target][:, :, j] for target, j in places], axis=2)
 
 
 def _direct(body: Body, terms: Sequence[Term], at: Mapping[Place, int], machine: Deformed) -> Array:
-    """Return the derivatives of what effects move in limbs, `at` its places, by their coefficients, (N, k, n_c)."""
+    """Return the derivatives of what effects move, `at` its places, by their coefficients, (N, k, n_c)."""
     N, limbs = body.q.shape
     out, start = np.zeros((N, len(at), sum(t.n_coefficients for t in terms))), 0
-    state = body.state(states_read(terms), np.nan_to_num(machine.x), machine.q, machine.rows, body.pulled(terms))
+    state = body.state(states_read(terms), machine.upright, machine.q, machine.rows, body.pulled(terms))
     for term in terms:
+        targets = term.kernels.TARGETS
         if by_limb(term):
             D = body.derivatives(term, body.read(term, state), body.coefficients(term))
-            D = D.reshape(N, limbs, len(term.kernels.TARGETS), -1)
+            D = D.reshape(N, limbs, len(targets), -1)
             for i, (target, j) in enumerate(_places(body, term)):
                 own = start + (i % len(term.limbs) * D.shape[3] if term.limbs else 0)
-                out[:, at[target, j], own : own + D.shape[3]] = D[:, j, term.kernels.TARGETS.index(target)]
+                out[:, at[target, j], own : own + D.shape[3]] = D[:, j, targets.index(target)]
+        elif places := _places(body, term):
+            D = body.by_coefficients(term, state)
+            out[:, [at[place] for place in places], start : start + D.shape[2]] = D
         start += term.n_coefficients
     return out

@@ -6,7 +6,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from deltacal_gen.physics.body import Body, Deformed
+from deltacal_gen.physics.body import Body
+from deltacal_gen.physics.deformed import Deformed
 from deltacal_gen.physics.law import Law
 from deltacal_gen.physics.terms import Term
 

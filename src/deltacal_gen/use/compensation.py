@@ -42,8 +42,9 @@ from deltacal_gen.machine.registry import (
 )
 from deltacal_gen.machine.rotation import about_z
 from deltacal_gen.machine.values import Workspace
-from deltacal_gen.physics.body import Body, Deformed
+from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.channels import Channels, complete_channels
+from deltacal_gen.physics.deformed import Deformed
 from deltacal_gen.physics.law import is_law
 from deltacal_gen.physics.ranges import outside
 from deltacal_gen.physics.terms import Term, kept_term, of_the_instrument

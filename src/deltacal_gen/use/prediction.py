@@ -21,7 +21,7 @@ from deltacal_gen.instrument.kinds import POINTS, instrument_of, kind_of, readin
 from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.machine.rotation import from_vector, to_vector
 from deltacal_gen.machine.values import Measurement, Recording
-from deltacal_gen.physics.body import Deformed
+from deltacal_gen.physics.deformed import Deformed
 from deltacal_gen.physics.law import is_law
 from deltacal_gen.physics.ranges import outside
 from deltacal_gen.physics.reading import reading_shift

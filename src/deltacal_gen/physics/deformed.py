@@ -1,0 +1,55 @@
+"""A machine that effects have moved, and how what moves all of it at once carries its pose along."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from deltacal_gen.machine.registry import Array
+from deltacal_gen.machine.rotation import cayley_matrix, swept
+
+AXES = ("x", "y", "z")
+
+
+class Deformed(NamedTuple):
+    """A machine moved by effects: what the kernels read.
+
+    Attributes
+    ----------
+    x, q, tool, rows : (N, 12), (N, n_q), (N, 3), (1 or N, limbs, n_p) arrays
+    restless : (N,) array of int, optional
+        At rows without static equilibrium the joint, from 1, that is thrown back and forth; 0 elsewhere.
+    turn : (N, 3) array, optional
+        Cayley vectors by which the base has turned under it: x is beyond it, joints and loads before.
+    """
+
+    x: Array
+    q: Array
+    tool: Array
+    rows: Array
+    restless: np.ndarray | None = None
+    turn: Array | None = None
+
+    @property
+    def upright(self) -> Array:
+        """The poses x (N, 12) before the base has turned; zero where there is none."""
+        x = np.nan_to_num(self.x)
+        return x if self.turn is None else turned(x, cayley_matrix(-self.turn))
+
+
+def carried(target: str, machine: Deformed) -> Array:
+    """Return the derivative (N, 6) of the pose by a turn of the base, or by a shift of the measured point."""
+    axis, x = AXES.index(target[-1]), np.nan_to_num(machine.x)
+    if target.startswith("tool."):
+        return np.hstack([x[:, 3:].reshape(-1, 3, 3)[:, :, axis], np.zeros((len(x), 3))])
+    unit = np.tile(np.eye(3)[axis], (len(x), 1))
+    if (c := machine.turn) is not None:  # of a Cayley vector by which it is turned already
+        unit = (unit + np.cross(c, unit) / 2) / (1 + (c**2).sum(axis=1, keepdims=True) / 4)
+    return np.hstack([(swept(x[:, :3]) @ unit[:, :, None])[:, :, 0], unit])
+
+
+def turned(x: Array, turns: Array) -> Array:
+    """Return poses x (N, 12) turned about the origin of {O} by matrices (N, 3, 3)."""
+    rotations = turns @ x[:, 3:].reshape(-1, 3, 3)
+    return np.hstack([(turns @ x[:, :3, None])[:, :, 0], rotations.reshape(-1, 9)])
