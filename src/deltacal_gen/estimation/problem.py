@@ -20,7 +20,7 @@ from deltacal_gen.physics.channels import Channels
 from deltacal_gen.physics.deformed import Deformed
 from deltacal_gen.physics.following import following
 from deltacal_gen.physics.motion import with_motion
-from deltacal_gen.physics.reading import reading_shift
+from deltacal_gen.physics.reading import following_shift, reading_shift, shift_follows
 from deltacal_gen.physics.terms import Term, of_reading
 
 ROUNDING = 1e-9  # of the largest column of an effect: less is no effect at all
@@ -142,7 +142,7 @@ class Problem:
             )
         mounted = instrument.mounted(self.mechanism, parameters)
         dx, own = self._moved(terms, machine, used, sensitivity)
-        J, J_m = mounted.linearise(self.readings, x, dx)
+        J, J_m = self._read(parameters, mounted, x, dx)
         del sensitivity, dx  # the largest arrays of a fit: the memory serves what comes next
         J_p = J if own is None else np.take(J, own, axis=2)
         mounted.add_carried(J_p, self.mechanism, self.names, self.readings, x)
@@ -155,7 +155,8 @@ class Problem:
     @property
     def gives_way(self) -> bool:
         """Whether effects on the machine follow its pose, as what bends under a load does, and readings see it."""
-        return not self.readings.kind.sees_joints and any(map(follows, (*self.terms, *self.held)))
+        bend = (t for t in (*self.terms, *self.held) if t.kernels.ACTS_ON != "reading")
+        return not self.readings.kind.sees_joints and any(map(follows, bend))
 
     def followed(self, parameters: Array, instrument: Instrument, machine: Deformed) -> Array:
         """Return by how much the derivatives (R, k, n) of a machine that gives way are others than at fixed loads.
@@ -165,7 +166,21 @@ class Problem:
         errors, terms = self.split(parameters)
         instrument = instrument.mounted(self.mechanism, parameters)
         dx = following(self.body, errors, terms, self.held, machine, self.names)
-        return instrument.linearise(self.readings, self.seen(machine), dx)[0]
+        return self._read(parameters, instrument, self.seen(machine), dx)[0]
+
+    def _read(self, parameters: Array, mounted: Instrument, x: Array, dx: Array) -> tuple[Array, Array]:
+        """Return the derivatives (R, k, n) of the readings by what moves machines at x by dx (N, n_x, n).
+
+        Beside them those (R, k, n_m) by the instrument's unknowns. What effects add to readings follows both.
+        """
+        J, J_m = mounted.linearise(self.readings, x, dx)
+        if terms := [t for t in self.acting(parameters) if shift_follows(t)]:
+            values, _ = mounted.predict(self.readings, x)
+            by_values, by_place = following_shift(terms, self.body, self.readings, values, x)
+            k, point = values.shape[1], dx[self.readings.rows[:, 0], :3]
+            J[:, :k] += by_values @ J[:, :k] + by_place @ point
+            J_m[:, :k] += by_values @ J_m[:, :k]
+        return J, J_m
 
     def sensitivity(self, machine: Deformed, used: np.ndarray) -> Sensitivity:
         """Return the derivatives of what instruments look at, the platform's pose or the joints, in some rows."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
@@ -12,6 +12,7 @@ from deltacal_gen.physics.body import Body, states_read
 from deltacal_gen.physics.terms import Term
 from deltacal_gen.states import STATES
 
+STEP = 1e-4  # mm or rad: by which readings and the point differ to see how what is added follows them
 READ = tuple(s.name for s in STATES.values() if s.kind == "reading")
 
 
@@ -53,3 +54,20 @@ def reading_shift(terms: Sequence[Term], body: Body, found: Readings, values: Ar
                     own[:, column] += D[:, j]
         parts.append(own)
     return added, np.concatenate(parts, axis=2) if parts else np.zeros((R, k, 0))
+
+
+def shift_follows(term: Term) -> bool:
+    """Tell whether what an effect adds to readings changes with them, or with where the machine stands."""
+    return term.kernels.ACTS_ON == "reading" and any(s.kind == "reading" or s.follows for s in term.states)
+
+
+def following_shift(terms: Sequence[Term], body: Body, found: Readings, values: Array, x: Array) -> tuple[Array, Array]:
+    """Return the derivatives of what `reading_shift` adds, by the readings (R, k, k) and by the point (R, k, 3)."""
+    still, _ = reading_shift(terms, body, found, values, x)
+
+    def by(at: Callable[[Array], tuple[Array, Array]], axes: Array) -> Array:
+        ends = [reading_shift(terms, body, found, *at(STEP * axis))[0] for axis in axes]
+        return (np.stack(ends, axis=2) - still[:, :, None]) / STEP
+
+    place = np.eye(x.shape[1])[:3]
+    return by(lambda step: (values + step, x), np.eye(values.shape[1])), by(lambda step: (values, x + step), place)
