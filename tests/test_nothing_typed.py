@@ -35,6 +35,7 @@ PAPERS = "app/reproduction/"  # what papers print and draw, done again as they d
 WORKSPACE = "a place in the cylinder of the workspace, by its radius and its angle"
 CHAIN_RULE = "derivatives of the kernels, multiplied"
 BEGUN = "a first estimate by linear algebra (Zhang 2000; Shah 2013), which the derived images then correct"
+TURNED = "a pose in a base that has turned"
 ROWS = "a drawing's lines as rows of a table, which the derived kernels prove wherever they are made"
 FUNCTIONS = {
     "diagnosis/spectrum.py:_standing": "the amplitude of a wave of cosine and sine, and how well it is known",
@@ -78,6 +79,7 @@ FUNCTIONS = {
     "instrument/kinds/touched_board.py:TouchedBoard.laid_out": "a flat print is laid on the workspace",
     "instrument/kinds/touched_board.py:_plane": "axes of a flat print from its points, by singular values",
     "instrument/sphere.py:centres": "normal equations",
+    "machine/answers.py:Sensitivity.turned": TURNED,
     "machine/chain.py:Chain._length": "how far a table of a link leads",
     "machine/chain.py:Chain._parallel": "whether an angle is a multiple of half a turn",
     "machine/chain.py:Chain.follow": "joints in the directions that a chain commands: linear algebra of its Jacobian",
@@ -99,9 +101,10 @@ FUNCTIONS = {
     "physics/body.py:Body.along": CHAIN_RULE,
     "physics/body.py:Body.derivatives": CHAIN_RULE,
     "physics/body.py:Body._rows": "parts that effects move, by what they are made of",
-    "physics/body.py:Body.solve": "a pose in a base that has turned",
     "physics/body.py:Body.state": WORKSPACE,
     "physics/body.py:Body.theta": "joints by the errors of their zeros, as the mechanism declares them",
+    "physics/deformed.py:carried": CHAIN_RULE,
+    "physics/deformed.py:turned": TURNED,
     "physics/following.py:following": "chain rule and implicit functions: of any machine that gives way",
     "physics/formula.py:": "the functions that a law's text may name",
     "physics/simulation.py:simulate": "noise of a measured rotation",

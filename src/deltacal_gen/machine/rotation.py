@@ -30,6 +30,12 @@ def cayley_vector(matrix: Array) -> Array:
     return vector
 
 
+def spin(c: Array) -> Array:
+    """Return how changes of Cayley vectors (N, 3) turn a body about the axes of {O}: (N, 3, 3), a column for each."""
+    by_change: Array = rotations.spin(c)
+    return by_change
+
+
 def swept(points: Array) -> Array:
     """Return how points (N, 3) move by turns about the axes of {O}, (N, 3, 3): a column for each axis."""
     motion: Array = rotations.swept(points)

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from deltacal_gen.machine.registry import Array
-from deltacal_gen.machine.rotation import cayley_matrix, swept
+from deltacal_gen.machine.rotation import cayley_matrix, spin, swept
 
 AXES = ("x", "y", "z")
 
@@ -43,9 +43,8 @@ def carried(target: str, machine: Deformed) -> Array:
     axis, x = AXES.index(target[-1]), np.nan_to_num(machine.x)
     if target.startswith("tool."):
         return np.hstack([x[:, 3:].reshape(-1, 3, 3)[:, :, axis], np.zeros((len(x), 3))])
-    unit = np.tile(np.eye(3)[axis], (len(x), 1))
-    if (c := machine.turn) is not None:  # of a Cayley vector by which it is turned already
-        unit = (unit + np.cross(c, unit) / 2) / (1 + (c**2).sum(axis=1, keepdims=True) / 4)
+    turn = np.zeros((len(x), 3)) if machine.turn is None else machine.turn
+    unit = spin(turn)[:, :, axis]
     return np.hstack([(swept(x[:, :3]) @ unit[:, :, None])[:, :, 0], unit])
 
 

@@ -95,14 +95,13 @@ def _moving(body: Body, machine: Deformed, places: Sequence[Place]) -> Array:
     """Return the derivatives of the platform's coordinates by what effects move, (N, n_x, k)."""
     S = body.sensitivity(machine)
     limbs = sorted({j + 1 for target, j in places if target.startswith("limb.")})
-    by_target = {
-        target: S.joints
-        if target == "joint"
-        else body.along(S, target[5:], limbs)
-        if target.startswith("limb.")
-        else carried(target, machine)[:, :, None]
-        for target, _ in places
-    }
+
+    def moved(target: str) -> Array:
+        if target == "joint":
+            return S.joints
+        return body.along(S, target[5:], limbs) if target.startswith("limb.") else carried(target, machine)[:, :, None]
+
+    by_target = {target: moved(target) for target, _ in places}
     return np.stack([by_target[target][:, :, j] for target, j in places], axis=2)
 
 
