@@ -15,10 +15,12 @@ import pytest
 import deltacal_gen as dc
 from deltacal_gen.diagnosis import diagnosis
 from deltacal_gen.diagnosis.answer import Diagnosed, _unsought
-from deltacal_gen.diagnosis.laws.ground import TARGETS
+from deltacal_gen.diagnosis.laws import search
+from deltacal_gen.diagnosis.laws.ground import TARGETS, Ground, Tried
 from deltacal_gen.diagnosis.laws.laws import Unsure
 from deltacal_gen.diagnosis.laws.told import _Drawn, told
 from deltacal_gen.estimation.fit import fit
+from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.pages import report
 from deltacal_gen.pages.laws import mathml
@@ -201,6 +203,22 @@ def test_every_construct_of_a_law_has_its_mathematics(expression: str, parts: li
     shown = mathml(expression)
     assert all(part in shown for part in parts)
     ElementTree.fromstring(shown)
+
+
+def test_a_form_under_which_no_machine_comes_to_rest_is_passed_over(
+    made: Diagnosed, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As where a joint jumps at a torque and some pose stands on the jump: the next form is fitted."""
+    real, asked = search.fitted, list[Tried]()
+
+    def refusing(problem: Problem, now: search.Grown, ground: Ground, tried: Tried, *how: Any) -> search.Grown | None:
+        asked.append(tried)
+        return None if len(asked) == 1 else real(problem, now, ground, tried, *how)
+
+    monkeypatch.setattr(search, "fitted", refusing)
+    grown = search.grow(made.baseline.problem, made.baseline)
+    assert grown is not None
+    assert grown.law[0].form.states == ("tension_1",)
 
 
 def test_where_the_vocabulary_explains_the_misfit_no_law_is_looked_for() -> None:
