@@ -18,7 +18,7 @@ import deltacal_gen as dc
 from deltacal_gen.diagnosis import strategy
 from deltacal_gen.diagnosis.refits import refitted
 from deltacal_gen.diagnosis.search import Found, Search
-from deltacal_gen.diagnosis.strategy import _first, _refused, _wider
+from deltacal_gen.diagnosis.strategy import _fewer, _first, _refused, _wider
 from deltacal_gen.estimation.fit import rough
 from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.files.robot import Robot, robot_from_dict
@@ -234,6 +234,28 @@ def test_a_spring_that_is_there_already_stands_for_another_kind_of_spring(limbs:
     assert (found is not None) == wider
     if found is not None:
         assert [(t.effect, t.limbs) for t in found.problem.terms] == [("joint_compliance", (2, 3))]
+
+
+@pytest.mark.parametrize("soft", [True, False])
+def test_axes_that_tilt_leave_their_place_to_fewer_springs_that_explain_as_much(soft: bool) -> None:
+    """An axis tilts about its neighbours' axes, too: at several joints it imitates what these give."""
+    arm, m = chain(ARM), mechanism_of(chain(ARM))
+    given = {"compliance": 0.004} if soft else {"compliance_x": 0.004, "compliance_y": 0.005}
+    named = [("joint_compliance", (2, 3)), ("link_torsion", (3,))] if soft else [("joint_tilt_compliance", (2, 4))]
+    true = [Case("arm", name, limbs, given).term(arm) for name, limbs in named]
+    problem = pose_problem(arm, record(arm, true[0], beside=tuple(true[1:])), m.model(m.full_model))
+    tilts = refitted(
+        problem, rough(problem, must_converge=False), [of.blank("joint_tilt_compliance", (2, 4, 5) if soft else (2, 4))]
+    )
+    assert tilts is not None
+    every = [
+        of.blank(name, tuple(range(1, m.limbs + 1)))
+        for name in ("joint_tilt_compliance", "joint_compliance", "link_torsion")
+    ]
+    found = _fewer(problem, Search(tilts, every), 0)
+    assert (found is not None) == soft
+    if found is not None:  # what else there is earns its price beside them
+        assert [(t.effect, t.limbs) for t in found.problem.terms] == named[:1]
 
 
 def test_a_search_that_goes_in_circles_ends(monkeypatch: pytest.MonkeyPatch) -> None:

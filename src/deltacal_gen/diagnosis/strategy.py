@@ -422,6 +422,8 @@ def _better(problem: Problem, search: Search, places: Sequence[int]) -> Fit | No
         return simple
     if not harmonics and (wider := _wider(problem, search, places[0])) is not None:
         return wider
+    if (fewer := _fewer(problem, search, places[0])) is not None:
+        return fewer
     if {*map(form, best.terms)} == {*map(form, own)}:
         return None
     if best.term.effect != first.effect:
@@ -435,7 +437,7 @@ def _better(problem: Problem, search: Search, places: Sequence[int]) -> Fit | No
     if further and first.kernels.EXTENDS:  # the linear machine leaves much of a large delay: others make up for it
         more = 2 * problem.readings.n_scalars * float(np.log(current.sigma[0] / other.sigma[0]))
         return other if more > search.price(*best.terms) - search.price(*own) else None
-    flexible = first.effect == best.term.kernels.EXTENDS
+    flexible = first.effect == best.term.kernels.EXTENDS or _richer(best.term, first)
     return None if flexible and not _refused(current, other) else other
 
 
@@ -476,6 +478,31 @@ def _simpler(problem: Problem, search: Search, i: int) -> Fit | None:
         return None
     simple = refitted(problem, current, [*others, found.term])
     return None if simple is None or _refused(simple, current) else simple
+
+
+def _richer(one: Term, other: Term) -> bool:
+    """Tell whether both are what a load does to limbs, and one does more at each: it imitates the other."""
+    both = (one, other)
+    return one.values.shape[1] > other.values.shape[1] and all(t.limbs and _loaded(t) for t in both)
+
+
+def _fewer(problem: Problem, search: Search, i: int) -> Fit | None:
+    """Return a fit in which poorer effects of the load, with fewer coefficients, explain as much as one; None else.
+
+    An axis that tilts turns what it bears about its neighbours' axes too: at several joints it imitates their springs.
+    """
+    at, freed = search.fit, search.freed(i)
+    own, rest = terms_of(at)[i], [t for k, t in enumerate(terms_of(at)) if k != i]
+    poorer = dict.fromkeys(t.effect for t in search.terms if _richer(own, t)).keys() - {t.effect for t in rest}
+    found = [f for name in sorted(poorer) if (f := freed.best(name)).score > MARGIN]
+    both = ((f, freed.added(*f.terms).ranked()[0]) for f in found)
+    pairs = [[f.terms for f in pair if f.score > MARGIN] for pair in both]
+    fewer = [p for p in pairs if sum(t.values.size for t in itertools.chain(*p)) < own.values.size]
+    pair = max(fewer, key=lambda p: _worth(freed, p), default=None)
+    other = None if pair is None else refitted(problem, at, [*rest, *itertools.chain(*pair)])
+    if other is None or 2 * problem.readings.n_scalars * float(np.log(other.sigma[0] / at.sigma[0])) > AS_GOOD:
+        return None
+    return other
 
 
 def _wider(problem: Problem, search: Search, i: int) -> Fit | None:
