@@ -34,6 +34,7 @@ from deltacal_gen.use.prediction import predict
 from tests.benchmarks.arrival import ABOVE, chi2, compared, lowest, missed
 from tests.benchmarks.arrival_problems import EXAMPLES, made, near_a_line, poses
 from tests.conftest import scattered, wanted
+from tests.every_effect import LIFT, chain
 from tests.left_out import diagnosis, machine, record
 
 pytestmark = pytest.mark.usefixtures("compiled")
@@ -338,6 +339,27 @@ def test_readings_of_the_next_row_are_named_and_a_coupled_joint_though_the_tool_
     untold = dataclasses.replace(arm, tool=np.zeros(3))
     with pytest.raises(InputError, match=r"agree with it if .*joint 3 counts .* coupling = \{2 = 1\.0\}"):
         plausible(rough(pose_problem(untold, wrong, ()), must_converge=False))
+
+
+def test_a_coupled_joint_is_named_though_joints_hardly_turn_and_the_tool_is_long_and_not_said(arm: Robot) -> None:
+    """A point half a metre from where the file has it is off by more than the mistake, until it is found."""
+    rng = np.random.default_rng(3)
+    q = np.radians([-35.0, -38.0, 5.0, 2.0, -56.0, -33.0]) + np.radians([1, 5, 25, 1, 1, 1]) * wide(rng, 90, 1.0)
+    long = dataclasses.replace(arm, tool=np.array([0.0, -400.0, 0.0]))
+    good = recorded(long, q, size=0.3)
+    wrong = dataclasses.replace(good, joints=good.joints - good.joints[:, [1]] * [0, 0, 1, 0, 0, 0])
+    untold = dataclasses.replace(arm, tool=np.zeros(3))
+    with pytest.raises(InputError, match=r"agree with it if joint 3 counts .* coupling = \{2 = 1\.0\}"):
+        plausible(rough(pose_problem(untold, wrong, ()), must_converge=False))
+
+
+def test_radians_are_named_of_a_chain_that_slides_too() -> None:
+    lift = chain(LIFT)
+    q = wide(np.random.default_rng(2), 60, 1.0)[:, :4] * [200.0, 1.0, 1.0, 1.0]
+    good = recorded(lift, q, size=0.3)
+    wrong = dataclasses.replace(good, joints=good.joints * [1.0, *np.radians([1.0] * 3)])
+    with pytest.raises(InputError, match=r"agree with it if .*the joints are in radians"):
+        plausible(rough(pose_problem(lift, wrong, ()), must_converge=False))
 
 
 def test_rows_that_are_off_together_are_no_single_cells(arm: Robot) -> None:

@@ -4,16 +4,18 @@ from __future__ import annotations
 
 import dataclasses
 import itertools
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any
 
 import numpy as np
 
 from deltacal_gen.errors import InputError, NoSolutionError
-from deltacal_gen.estimation.fit import rough
+from deltacal_gen.estimation.fit import fit, rough
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.prior import unsaid
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.residuals import lengths
+from deltacal_gen.estimation.solvers import LeastSquares
 from deltacal_gen.identification.rotations import POSES_LOOKED_AT
 from deltacal_gen.machine.places import read_together
 from deltacal_gen.machine.registry import Array
@@ -25,6 +27,14 @@ NEARER = 0.5  # of the error: a mistake that brings less is not fitted
 MOST_FITTED = 4
 UNITS = ((1000.0, "metres"), (25.4, "inches"), (0.001, "micrometres"))  # and how many mm are one of them
 EXPLAINED = 0.1  # of the error: what a mistake may leave that explains it
+# how the measured point is found while mistakes are compared: they differ by more than a last step
+ROUGHLY: Mapping[str, Any] = {
+    "robust": False,
+    "weigh_repeats": False,
+    "drop_gross": False,
+    "must_converge": False,
+    "tolerance": 1.0,
+}
 
 
 def typical(at: Fit) -> float:
@@ -51,7 +61,7 @@ def explained(problem: Problem, off: float) -> list[str]:
     elif few.readings.kind.in_differences(few.recording.measurement):
         mistakes = _units(few, "lengths")  # what counts from the first is not told by how long it is
     tried = [(_aligned_error(changed), words, changed) for words, changed in mistakes]
-    most = (1.0 if unsaid(problem) else NEARER) * _aligned_error(few)  # a tool that is not said is off as well
+    most = NEARER * _aligned_error(few)
     near = sorted((t for t in tried if t[0] < most), key=lambda t: t[0])[:MOST_FITTED]
     out = []
     for _, words, changed in near:
@@ -82,15 +92,21 @@ def in_other_units(at: Fit) -> Iterator[tuple[str, Fit]]:
 def _aligned_error(problem: Problem) -> float:
     """Return the median error of the machine as its file says, the instrument aligned; inf where it cannot be.
 
-    By what the readings spread over: in other units all are smaller, or larger.
+    Where the file does not say which point was measured, it is found with the instrument: it alone may be off by more
+    than a mistake. By what the readings spread over: in other units all are smaller, or larger.
     """
+    free, errors = problem.with_names(unsaid(problem)), problem.reference
     try:
-        machine = problem.solve(problem.reference)
-        residual = problem.residual(problem.reference, problem.begin(problem.reference, machine), problem.seen(machine))
-    except InputError:
+        machine = free.solve(errors)
+        begun = free.begin(errors, machine)
+        if free.names:
+            off = typical(fit(free, LeastSquares(), machine=machine, instrument=begun, **ROUGHLY))
+        else:
+            residual = lengths(free.residual(errors, begun, free.seen(machine)), free.readings.kind)
+            off = float(np.median(np.linalg.norm(np.nan_to_num(residual), axis=1)))
+    except (InputError, NoSolutionError):
         return float("inf")
-    off = np.median(np.linalg.norm(np.nan_to_num(lengths(residual, problem.readings.kind)), axis=1))
-    return float(off) / _spread(problem)
+    return off / _spread(problem)
 
 
 def _spread(problem: Problem) -> float:
@@ -129,10 +145,11 @@ def _mistakes(problem: Problem) -> Iterator[tuple[str, Problem]]:
         words = f"joint {i + 2} counts from a line that stays as joint {i + 1} turns"
         added = np.where(np.arange(len(joints)) == i + 1, sign * body.q[:, [i]], 0.0)
         yield f"{words} (page arm: coupling = {{{table} = {sign:.1f}}})", with_joints(body.q + added)
-    if set(problem.mechanism.joint_units) == {"rad"}:
-        yield "the joints are in radians", with_joints(body.q / DEG)
+    turning = np.array(problem.mechanism.joint_units) == "rad"
+    if turning.any():
+        yield "the joints are in radians", with_joints(body.q / np.where(turning, DEG, 1.0))
         for turn in (90, -90):
-            yield f"the zeros of all joints are off by {turn} deg", with_joints(body.q + turn * DEG)
+            yield f"the zeros of all joints are off by {turn} deg", with_joints(body.q + turn * DEG * turning)
     for i, j in itertools.combinations(joints, 2):
         order = [j if k == i else i if k == j else k for k in joints]
         yield f"the columns of joints {i + 1} and {j + 1} are exchanged", with_joints(body.q[:, order])
