@@ -101,6 +101,14 @@ def test_a_shape_that_is_no_sine_is_named_with_what_its_fundamental_carries(shap
     assert found.final.heldout_rms_mm < 0.016  # of .01 noise; three waves leave .02
 
 
+@pytest.mark.parametrize(("order", "seen"), [(3, False), (24, True)])
+def test_a_wave_that_was_not_seen_to_repeat_is_told_as_such(order: int, seen: bool) -> None:
+    robot = machine()
+    found = diagnosis(robot, record(robot, effect(WAVE, (2,), 0.3, 0.0, constants=(float(order),)), n=120))
+    assert [e.name for e in found.effects] == [WAVE]
+    assert ("not seen to repeat" in found.summary) is not seen
+
+
 def test_joints_that_hardly_move_show_no_period() -> None:
     robot = machine()
     joints = np.random.default_rng(2).uniform(-1.5, 1.5, (60, 3))

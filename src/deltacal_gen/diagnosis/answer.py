@@ -10,10 +10,11 @@ from typing import Literal
 import numpy as np
 
 from deltacal_gen.diagnosis.chance import Chance
+from deltacal_gen.diagnosis.charges import several
 from deltacal_gen.diagnosis.correction import POSITION, Correction
 from deltacal_gen.diagnosis.discrimination import NO_POSES, NONE_SO_FAR, more_poses
 from deltacal_gen.diagnosis.findings import Named
-from deltacal_gen.diagnosis.harmonics import order_of
+from deltacal_gen.diagnosis.harmonics import lowest_repeating, order_of, travelled
 from deltacal_gen.diagnosis.laws.laws import Lawful
 from deltacal_gen.diagnosis.laws.told import told
 from deltacal_gen.diagnosis.search import SCATTERED
@@ -376,10 +377,15 @@ def _unsought(found: Diagnosed) -> str:
 
 
 def _shape(found: Diagnosed, fundamental: Named) -> str:
-    """Return that an effect is no sine, and which harmonics it has; "" of all others."""
-    harmonics = sorted(order_of(n.term) for n in found.effects if n.fundamental is fundamental.term)
-    if not harmonics:
+    """Return that an effect is no sine, and which harmonics it has, or that it was not seen to repeat; "" of others."""
+    term = fundamental.term
+    if not several(term.effect):
         return ""
+    harmonics = sorted(order_of(n.term) for n in found.effects if n.fundamental is term)
+    if not harmonics:
+        travel = travelled(found.final.problem)
+        seen = order_of(term) >= lowest_repeating(min(travel[i - 1] for i in term.limbs))
+        return "" if seen else ", which was not seen to repeat: any smooth function of that joint may be it"
     orders = ", ".join(f"{order:g}" for order in harmonics)
     return f", no sine: {order_of(fundamental.term):g} periods a turn, with harmonics {orders}"
 

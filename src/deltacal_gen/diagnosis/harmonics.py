@@ -17,6 +17,7 @@ from typing import NamedTuple
 import numpy as np
 
 from deltacal_gen.diagnosis.charges import several
+from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.physics.terms import Term
 
 LONGEST = 10  # waves of one period: what finer ones carry is a few per cent of any shape that a machine has
@@ -69,6 +70,15 @@ def series(orders: tuple[float, ...], least: float) -> Series:
     for s, taken in enumerate(unlike):
         holds[s, list(taken)] = True
     return Series(unlike, holds)
+
+
+def travelled(problem: Problem) -> Sequence[float]:
+    """Return how far each joint turned [rad]."""
+    body, rows = problem.body, np.unique(problem.readings.rows)
+    nowhere = np.zeros((len(body.q), 12))  # turns do not depend on the pose
+    turn = body.state(["turn"], nowhere, body.q, body.mechanism.rows(problem.robot))["turn"][rows]
+    travel: list[float] = np.ptp(turn, axis=0).tolist()
+    return travel
 
 
 def lowest_repeating(travel: float) -> float:

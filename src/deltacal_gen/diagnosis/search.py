@@ -42,6 +42,7 @@ from deltacal_gen.diagnosis.harmonics import (
     once,
     order_of,
     series,
+    travelled,
 )
 from deltacal_gen.diagnosis.library import SIZE_STEP
 from deltacal_gen.estimation.fitted import Fit
@@ -255,12 +256,7 @@ class Search:
     @cached_property
     def _travel(self) -> Sequence[float]:
         """Return how far each joint turned [rad]."""
-        problem = self.fit.problem
-        body, rows = problem.body, np.unique(problem.readings.rows)
-        nowhere = np.zeros((len(body.q), 12))  # turns do not depend on the pose
-        turn = body.state(["turn"], nowhere, body.q, body.mechanism.rows(problem.robot))["turn"][rows]
-        travel: list[float] = np.ptp(turn, axis=0).tolist()
-        return travel
+        return travelled(self.fit.problem)
 
     def gain(self, columns: Sequence[int]) -> float:
         """Return by how much columns, fitted together with all that is fitted already, lower chi2."""
