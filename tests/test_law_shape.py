@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from deltacal_gen.diagnosis.laws.ground import Ground, Tried
-from deltacal_gen.diagnosis.laws.profile import refine
+from deltacal_gen.diagnosis.laws.profile import LEAST, damped, refine
 from deltacal_gen.diagnosis.laws.remainder import with_remainder
 from deltacal_gen.diagnosis.laws.screen import price
 from deltacal_gen.diagnosis.laws.search import placed
@@ -218,6 +218,15 @@ def test_a_state_that_lags_by_no_time_or_less_is_itself(tau: float) -> None:
     found = ground.lagged("warming", tau)
     assert np.isfinite(found).all()
     assert found.ravel() == pytest.approx(ground.states["warming"].ravel(), abs=1e-9)
+
+
+@pytest.mark.parametrize("size", [1e-12, 1.0, 1e12])
+def test_constants_that_do_the_same_or_nothing_have_a_step(size: float) -> None:
+    """However little it is damped, and in whatever units they are: two take half of it each, one that is nowhere 0."""
+    a = np.array([1.0, 2.0, -1.0])
+    A = size * np.column_stack([a, a, np.zeros(3)])
+    step = damped(A.T @ A, A.T @ a, LEAST)
+    assert step == pytest.approx([0.5 / size, 0.5 / size, 0.0], rel=1e-6)
 
 
 def test_a_law_found_elsewhere_is_read_where_its_state_and_place_are_others(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -22,6 +22,8 @@ ROUNDS, HARDER = 20, 5  # of Gauss and Newton; and attempts of each, damped ten 
 ASIDE = 1e-4  # of a constant's size, by which its derivative is taken
 FARTHEST = 0.5  # of the same: how far a step goes
 ENOUGH = 0.02  # of chi2: what a last step gains
+LEAST = 1e-9  # damping: constants that do the same have no step of their own without any
+UNSEEN = 1e-20  # of the largest diagonal: less is rounding of a constant that moves nothing
 
 
 def refine(ground: Ground, place: Place, tried: Tried) -> Tried:
@@ -37,17 +39,25 @@ def refine(ground: Ground, place: Place, tried: Tried) -> Tried:
     for _ in range(ROUNDS):
         G, b = _linear(ground, place, form.with_constants(at), tried.limbs, size)
         for _ in range(HARDER):
-            step = np.linalg.solve(G + damping * np.diag(np.diag(G) + 1e-9), b)[-len(at) :]
+            step = damped(G, b, damping)[-len(at) :]
             trial = at + size * np.clip(step, -FARTHEST, FARTHEST)
             trial = np.where(signed | (trial * at > 0), trial, at)
             found = ground.gain(place, form.with_constants(trial), tried.limbs)
-            damping *= 0.2 if found > best else 10.0
+            damping = max(damping * (0.2 if found > best else 10.0), LEAST)
             if found > best:
                 break
         gained, best, at = (found - best, found, trial) if found > best else (0.0, best, at)
         if gained < ENOUGH:
             break
     return dataclasses.replace(tried, form=form.with_constants(at), gain=best)
+
+
+def damped(G: Array, b: Array, damping: float) -> Array:
+    """Return the step of Levenberg and Marquardt for normal equations; 0 along what moves nothing."""
+    own = np.diag(G)
+    size = np.where(own > UNSEEN * own.max(initial=0.0), np.sqrt(np.maximum(own, 0.0)), np.inf)
+    step: Array = np.linalg.solve(G / np.outer(size, size) + damping * np.eye(len(G)), b / size) / size
+    return step
 
 
 def _linear(ground: Ground, place: Place, form: Form, limbs: tuple[int, ...], size: Array) -> tuple[Array, Array]:
