@@ -10,6 +10,7 @@ import pytest
 
 from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.diagnosis.library import library
+from deltacal_gen.diagnosis.refits import refitted
 from deltacal_gen.errors import InputError
 from deltacal_gen.estimation import fit as fitting
 from deltacal_gen.estimation.fit import PATIENCE, _Rows, fit, rough
@@ -286,6 +287,23 @@ def test_fits_that_once_ended_above_the_lowest_place_arrive(number: int) -> None
     """By 1 to 6 of chi2: of a base that leans, and of derivatives that followed loads far from where it ended."""
     line = compared(20261126, number, starts=1)
     assert not missed(line), line
+
+
+def test_distances_that_begin_elsewhere_arrive_from_the_drawing() -> None:
+    """An arm of 88 poses, begun three ordinary errors off its drawing, ended 900 of chi2 above."""
+    line = compared(20281129, 453, starts=2)
+    assert not missed(line), line
+
+
+def test_a_coefficient_that_bears_nothing_asks_for_no_saddle(arm: Robot) -> None:
+    """No weight turns a joint about the vertical: each fit of a search with its compliance looked aside in vain."""
+    problem = softened(arm, np.random.default_rng(5))
+    first = fit(problem.with_terms([], np.ones(0)), Prior(), must_converge=False)
+    found = refitted(first.problem, first, [blank("joint_compliance", (1, 2))])
+    assert found is not None
+    of_first, of_second = np.diag(found.solution.covariance)[-2:]
+    assert of_second < 0.5 < 0.99 < of_first
+    assert found.effects_seen
 
 
 def test_a_soft_arm_is_no_mistake(arm: Robot) -> None:

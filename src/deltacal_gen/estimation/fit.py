@@ -38,6 +38,7 @@ MAX_ITERATIONS = 60
 CONVERGED = 1e-4  # of chi2: what a last step could still gain; parameters then stand within 1e-2 of their deviation
 # a direction that the data hardly see converges slowly where the model bends within its noise: no step of it matters
 PATIENCE, SETTLED, UNSETTLED = 30, 5e-2, 1.0
+CRAWLING, CRAWLS = 5, 0.9  # steps in a row, after each of which so much of what was promised still is
 ESTIMATED_AT = 3  # iteration in which at the latest the weight of repeats is estimated: the fit is then close
 ANY = 1e3  # ordinary errors: a prior of encoder offsets that never pulls
 FEW = 12  # lines that a message lists
@@ -92,6 +93,7 @@ def fit(
     InputError
         A pose cannot be reached with the joints given.
     """
+    drawn = errors is None or np.array_equal(errors[problem.columns], problem.reference[problem.columns])
     errors = problem.reference.copy() if errors is None else errors.copy()
     machine = problem.solve(errors) if machine is None else machine
     rule = LeastSquares() if solver is None else solver
@@ -107,6 +109,7 @@ def fit(
     found = _beside(found, rows, rule, tolerance, ended)
     own = slice(len(problem.scale), None)
     others = turned(problem, State(found.errors, found.instrument, found.machine), found.covariance[own, own])
+    others += [] if drawn else _as_drawn(problem, errors)
     ends = [found, *(ended(start, False)[0] for start in others)]
     return min(ends, key=lambda end: rows.objective(end, rule.weight or 0.0)) if others else found
 
@@ -119,6 +122,17 @@ def _beside(
         return found
     ends = [found, *(ended(state, False, True)[0] for state in away(found))]
     return min(ends, key=lambda end: rows.objective(end, rule.weight or 0.0))
+
+
+def _as_drawn(problem: Problem, errors: Array) -> list[State]:
+    """Return the machine as drawn, of one that a fit began elsewhere: distances lead from there into other valleys."""
+    errors = errors.copy()
+    errors[problem.columns] = problem.reference[problem.columns]
+    try:
+        machine = problem.solve(errors)
+    except InputError:
+        return []  # none stands there
+    return [State(errors, problem.begin(errors, machine), machine)]
 
 
 class _Rows:
@@ -223,6 +237,8 @@ class _Iteration:
             before, eased = state, damping
             whitened = self._rows.whitened
             state, damping = improved(self._problem, state, linear, solution, whitened, damping, self._tolerance)
+            if self._crawls():
+                break
             follow = soft and damping > eased
             if state is before:
                 if true and len(history) > self._close + 1 + self._rows.later:
@@ -271,6 +287,11 @@ class _Iteration:
         history.append(objective.gain(solution.u - departure))
         self._since += history[-1]
         return found.residual, objective, solution
+
+    def _crawls(self) -> bool:
+        """Tell whether steps of a fit within a search go along a bent valley, where each gains a little of the rest."""
+        last = np.array(self._history[-CRAWLING - 1 :])
+        return self._tolerance > CONVERGED and len(last) > CRAWLING and bool((last[1:] > CRAWLS * last[:-1]).all())
 
     def _arrived(self) -> bool:
         n = len(self._history)

@@ -74,9 +74,9 @@ class Fit:
 
     @property
     def effects_seen(self) -> bool:
-        """Whether the readings see every coefficient of the effects that are fitted."""
-        own = np.diag(self.solution.covariance)[len(self.problem.names) :]
-        return bool((own < 1.0 - SEEN).all())
+        """Whether the readings see every coefficient of the effects that are fitted, but for those that bear nothing."""
+        unseen = np.diag(self.solution.covariance)[len(self.problem.names) :] >= 1.0 - SEEN
+        return not unseen.any() or not (unseen & self.problem.borne(self.problem.terms)).any()
 
     def rms(self) -> float:
         """RMS of the residuals of length, each measured scalar once, gross errors left out [mm]."""
