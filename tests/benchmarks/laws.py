@@ -305,6 +305,8 @@ def _attempt(kind: str, rng: np.random.Generator) -> Case | None:
 
     much = 0.0
     if truth is not None:
+        if not all(np.isfinite(truth.value(states_of(robot, rec))).all() for rec in (at, *fresh)):
+            return None  # no machine stands where a curve has no value
         much, wanted = 1e-4 if truth.limb else 1e-2, float(np.exp(rng.uniform(np.log(LEAST), np.log(MOST))))
         alone = dataclasses.replace(truth, orders=None)
         for _ in range(3):
