@@ -74,7 +74,7 @@ class Fit:
 
     @property
     def effects_seen(self) -> bool:
-        """Whether the readings see every coefficient of the effects that are fitted, but for those that bear nothing."""
+        """Whether the readings see every coefficient of the effects that are fitted and that bears anything."""
         unseen = np.diag(self.solution.covariance)[len(self.problem.names) :] >= 1.0 - SEEN
         return not unseen.any() or not (unseen & self.problem.borne(self.problem.terms)).any()
 
