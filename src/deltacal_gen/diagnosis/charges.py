@@ -215,13 +215,10 @@ def best_set(
 def _beside(own: Sequence[T], items: Sequence[T]) -> list[list[tuple[T, ...]]]:
     """Return the sets of items, none of them empty, that differ from one by an item more, fewer or exchanged."""
 
-    def of(without: Sequence[T], more: Sequence[T]) -> tuple[T, ...]:
-        return tuple(i for i in items if i in more or (i in own and i not in without))
+    def of(without: Sequence[T], new: Sequence[T]) -> tuple[T, ...]:
+        return tuple(i for i in items if i in new or (i in own and i not in without))
 
-    out, in_ = [i for i in items if i not in own], list(own)
-    sets = [
-        [of([], [new]) for new in out],
-        [of([old], []) for old in in_ if len(in_) > 1],
-        [of([old], [new]) for old in in_ for new in out],
-    ]
-    return [of_size for of_size in sets if of_size]
+    others = [i for i in items if i not in own]
+    more, fewer = [of((), (new,)) for new in others], [of((old,), ()) for old in own if len(own) > 1]
+    exchanged = [of((old,), (new,)) for old in own for new in others]
+    return [sets for sets in (more, fewer, exchanged) if sets]
