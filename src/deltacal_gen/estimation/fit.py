@@ -109,7 +109,9 @@ def fit(
     found = _beside(found, rows, rule, tolerance, ended)
     own = slice(len(problem.scale), None)
     others = turned(problem, State(found.errors, found.instrument, found.machine), found.covariance[own, own])
-    others += [] if drawn else _as_drawn(problem, errors)
+    others += [] if drawn else _begun(problem, errors, problem.reference)
+    if problem.readings.rows.shape[1] > 1:  # a machine and its mirror image have the same distances
+        others += _begun(problem, errors, 2 * problem.reference - found.errors)
     ends = [found, *(ended(start, False)[0] for start in others)]
     return min(ends, key=lambda end: rows.objective(end, rule.weight or 0.0)) if others else found
 
@@ -124,10 +126,14 @@ def _beside(
     return min(ends, key=lambda end: rows.objective(end, rule.weight or 0.0))
 
 
-def _as_drawn(problem: Problem, errors: Array) -> list[State]:
-    """Return the machine as drawn, of one that a fit began elsewhere: distances lead from there into other valleys."""
+def _begun(problem: Problem, errors: Array, other: Array) -> list[State]:
+    """Return a start that is elsewhere in what is fitted: distances lead from the drawing into other valleys.
+
+    So they do from the other side of the drawing: of a drawn machine that is like its mirror image, errors and their
+    opposites explain them about as well.
+    """
     errors = errors.copy()
-    errors[problem.columns] = problem.reference[problem.columns]
+    errors[problem.columns] = other[problem.columns]
     try:
         machine = problem.solve(errors)
     except InputError:

@@ -27,6 +27,7 @@ TRIALS = 30  # of the damping within a step: from none to that of a gradient ste
 FIRST, NONE, MOST = 1e-3, 1e-7, 1e16  # dampings: the first that is tried, below which there is none, the largest
 EASE = 0.1  # by which a damping falls at most
 TRUE = 0.75  # of what the linear machine promised: a step that keeps less is bent
+MORE, LONGER = 1.5, 64.0  # of it: a step that keeps more is too short; by how much at most it is made longer
 WEAK = 1e-3  # of the strongest direction of the instrument: weaker ones are damped as if they were so strong
 EXACT = 1e-5  # of chi2: poses are solved no more exactly than to change the objective by this
 SAME = 1e-12  # of the objective: less is rounding
@@ -167,6 +168,16 @@ def improved(
             bent, _, lower = tried(s + s_2, t + t_2, trial)
             if lower < after:
                 trial, after = bent, lower
+        if trial is not None and not damping and before - after > MORE * promised > MORE * worth:
+            # along a valley that is flatter than the linear machine's each step covers a small part of the way
+            far, most = 2.0, promised / max(2 * promised - (before - after), SAME * before)
+            while far <= min(most, LONGER):
+                there, rows, _ = tried(far * s, far * t, trial)
+                s_2, t_2 = steps.bent(rows - linear.system.rest(far * s, far * t), damping)
+                there, _, lower = tried(far * s + s_2, far * t + t_2, there or trial)
+                if there is None or lower >= after:
+                    break
+                trial, after, far = there, lower, 2 * far
         if trial is not None and after <= before * (1 - SAME):
             kept = float(np.clip((before - after) / promised, 0.0, 1.0)) if promised > EXACT else 1.0
             eased = damping * max(EASE, 1 - (2 * kept - 1) ** 3)
