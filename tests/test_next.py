@@ -20,6 +20,7 @@ from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import robot_from_dict, robot_to_dict
 from deltacal_gen.results.diagnosis import Diagnosis
 from deltacal_gen.use.experiments import Open, next_rows, open_questions, shared
+from tests.benchmarks.honesty_rounds import round_of
 from tests.conftest import PROTOTYPE, Run
 from tests.left_out import DELTA, channels, effect, machine, record
 from tests.test_law_language import law
@@ -132,6 +133,14 @@ def test_a_law_that_gives_way_is_harder_to_refute(monkeypatch: pytest.MonkeyPatc
     monkeypatch.setattr(discrimination, "_bends", lambda term: [])
     stiff = expected()
     assert bending < 0.9 * stiff, (bending, stiff)
+
+
+def test_a_drift_is_told_from_a_warm_up_that_may_be_slower_than_it_looks() -> None:
+    """A warm-up's time constant follows what is measured: rows are as many as refute every one."""
+    told = round_of("zero_drift", 4)
+    assert told["open"]
+    assert told["alone after a round"]
+    assert told["rows"] <= 1.3 * told["best"]
 
 
 def csv_rows(run: Run, saved: Path, out: Path) -> list[dict[str, Any]]:

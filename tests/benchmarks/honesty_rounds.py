@@ -103,8 +103,8 @@ def best(begun: Start, rivals: Sequence[Term]) -> Designs | None:
         return None
 
     def duels() -> list[Duel]:
-        mine, spread = pool._columns_of(begun.term), pool._spread(begun.term)
-        return [pool._duel(mine, spread, pool._columns_of(rival), [], pool._bent(rival)) for rival in rivals]
+        spread = pool._spread(begun.term)
+        return [duel for rival in rivals for duel in pool.against(rival, begun.term, spread, [])]
 
     chosen = choose(duels(), 1, MOST, CLEAR)
     if chosen.gained[chosen.needed - 1] < CLEAR:

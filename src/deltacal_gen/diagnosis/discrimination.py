@@ -26,12 +26,13 @@ from deltacal_gen.diagnosis.candidates import (
     within_limits,
 )
 from deltacal_gen.diagnosis.designs import Duel, Refutation, choose
+from deltacal_gen.diagnosis.library import sizes
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.machine.places import place_of
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.body import Body
-from deltacal_gen.physics.law import PREFIX, Law
+from deltacal_gen.physics.law import PREFIX, Law, is_law
 from deltacal_gen.physics.terms import Term, blank
 from deltacal_gen.results.diagnosis import Location, NextMeasurement, Row
 from deltacal_gen.states import CHANNELS, TEMPERATURE, TIME, of_column
@@ -98,7 +99,8 @@ class Pool:
 
     def __init__(self, at: Fit, terms: Sequence[Term], rng: np.random.Generator) -> None:
         self.at, self.found = at, candidates(at, terms, rng)
-        unlike = {_key(t): t for t in terms}
+        self._family = {_key(t): [t, *self._resized(t)] for t in terms}
+        unlike = {_key(t): t for family in self._family.values() for t in family}
         self._wide = {key: _on_all(t, at.problem) for key, t in unlike.items()}
         bends = [bent for t in unlike.values() for bent in _bends(t)]
         if len(self.found.ends):
@@ -123,18 +125,46 @@ class Pool:
         """
         if not len(self.found.ends):
             return Proposal([])
-        mine, theirs = self._columns_of(truth), [] if rival is None else self._columns_of(rival)
-        duels = [self._duel(mine, self._spread(truth), theirs, beside, [] if rival is None else self._bent(rival))]
+        duels = self.against(rival, truth, self._spread(truth), beside)
         if rival is not None:
+            theirs = self._columns_of(rival)
             first = duels[0].X.shape[-1] - len(theirs) - len(self._bent(rival))
             alike = duels[0].wrong.coefficients[first : first + len(theirs)]
             if rival.gaps:
                 alike = self._as_large(truth, rival)
-            duels.append(self._duel(theirs, alike, mine, beside, self._bent(truth)))
+            duels += self.against(truth, rival, alike, beside)
         most = MOST_ALONE if rival is None else MOST_POSES
         chosen = choose(duels, FEWEST_POSES, most, CLEAR, FURTHER)
         rows = self.found.to_rows(chosen.order)
         return Proposal(rows[: chosen.needed], chosen.gained, rows[chosen.needed :])
+
+    def against(self, wrong: Term | None, truth: Term, coefficients: Array, beside: Sequence[Term]) -> list[Duel]:
+        """Return what fails where an effect, with coefficients on all limbs, is the truth: a wrong one, or nothing.
+
+        A size within the wrong one is fitted again, too: each that the readings so far leave is one to fail. The first
+        has its own.
+        """
+        if wrong is None:
+            return [self._duel(self._columns_of(truth), coefficients, [], beside)]
+        mine = self._columns_of(truth)
+        duels = [
+            self._duel(mine, coefficients, self._columns_of(t), beside, self._bent(t))
+            for t in self._family[_key(wrong)]
+        ]
+        least = min(d.wrong.misfit for d in duels)
+        return [duels[0], *(d for d in duels[1:] if d.wrong.misfit < least + CLEAR)]
+
+    def _resized(self, term: Term) -> list[Term]:
+        """Return an effect with each size that a fit to all readings, taken or to be taken, may give it."""
+        if is_law(term.effect) or not (sized := next(iter(term.kernels.SIZED), None)):
+            return []
+        at = [name for name, *_ in term.kernels.CONSTANTS].index(sized)
+        problems = [self.at.problem, *([self.found.problem] if len(self.found.ends) else [])]
+        every = {size for problem in problems for size in sizes(problem, term.kernels, term.constants[:at])}
+        return [
+            dataclasses.replace(term, constants=(*term.constants[:at], size, *term.constants[at + 1 :]))
+            for size in sorted(every)
+        ]
 
     def _columns_of(self, term: Term) -> list[int]:
         return list(range(*self._place[_key(term)]))

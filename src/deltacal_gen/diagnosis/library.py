@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
-from deltacal_gen.diagnosis.discrimination import columns_read
+from deltacal_gen.diagnosis.candidates import columns_read
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.identification.orders import ORDERS
 from deltacal_gen.machine.registry import Array
@@ -219,7 +219,7 @@ def _clocks(problem: Problem, kernels: Kernels, form: Form) -> list[str]:
     return [name for name, values in columns if (np.diff(values) >= 0).all()]
 
 
-def _sizes(problem: Problem, kernels: Kernels, form: Form) -> list[float]:
+def sizes(problem: Problem, kernels: Kernels, form: Form) -> list[float]:
     """Return sizes of a state, from a part of the smallest joint's largest to a multiple of the largest one's."""
     body, rows = problem.body, np.unique(problem.readings.rows)
     (of,) = kernels.SIZED.values()
@@ -244,5 +244,5 @@ SEARCHES: Mapping[str, Callable[[Problem, Kernels, Form], Sequence[Constant]]] =
     "joints": _joints,
     "columns": _recorded,
     "clocks": _clocks,
-    "sizes": _sizes,
+    "sizes": sizes,
 }

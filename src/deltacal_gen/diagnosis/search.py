@@ -406,14 +406,17 @@ class Search:
         return beyond(form.with_values(inverse @ b / size), std, self.fit.problem.recording.joint_unit)
 
     def _refined(self, found: Found) -> Found:
-        """Return a form whose constant, a size that was searched in steps, is where it explains most.
+        """Return a form whose constant, a size that was searched in steps, is where it explains most among them.
 
         Of parts of the readings it stays as it is: a little more than all others explain with it tells nothing.
         """
         at = _sized(found.term)
         if at is None or self._parted:
             return found
-        low, high = -np.log(SIZE_STEP), np.log(SIZE_STEP)
+        size, like = float(found.term.constants[at]), found.term.constants[:at]
+        alike = [float(t.constants[at]) for t in self._forms(found.term.effect) if t.constants[:at] == like]
+        low = max(np.log(min(alike) / size), -np.log(SIZE_STEP))
+        high = min(np.log(max(alike) / size), np.log(SIZE_STEP))
         inside = [high - GOLDEN * (high - low), low + GOLDEN * (high - low)]
         gain = [self._explained(_resized(found.term, at, u))[0] for u in inside]
         for _ in range(REFINEMENTS):
