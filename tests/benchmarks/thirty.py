@@ -32,7 +32,7 @@ STEERING = {
     "estimation.series": ("LONGEST", "OWN_PRICE"),
     "estimation.saddles": ("SEEN", "ASIDE", "LINEAR", "LOOKS"),
     "estimation.system": ("STRONG",),
-    "estimation.steps": ("EASE", "WEAK", "FIRST", "TRUE"),
+    "estimation.steps": ("EASE", "WEAK", "FIRST", "TRUE", "MORE", "LONGER"),
     "estimation.fit": ("CONVERGED", "ESTIMATED_AT", "CRAWLING", "CRAWLS"),
     "physics.following": ("STEP",),
     "identification.checks": ("MOST_TRIED",),
