@@ -25,7 +25,7 @@ from deltacal_gen.estimation.residuals import (
     robust_weights,
     shared_by_repeats,
 )
-from deltacal_gen.estimation.saddles import away
+from deltacal_gen.estimation.saddles import away, left_to_a_side
 from deltacal_gen.estimation.solvers import LeastSquares, Prior, Solution, Solver
 from deltacal_gen.estimation.steps import Linear, State, improved
 from deltacal_gen.estimation.system import System, system, whitened
@@ -110,8 +110,7 @@ def fit(
     own = slice(len(problem.scale), None)
     others = turned(problem, State(found.errors, found.instrument, found.machine), found.covariance[own, own])
     others += [] if drawn else _begun(problem, errors, problem.reference)
-    if problem.readings.rows.shape[1] > 1:  # a machine and its mirror image have the same distances
-        others += _begun(problem, errors, 2 * problem.reference - found.errors)
+    others += _begun(problem, errors, 2 * problem.reference - found.errors) if left_to_a_side(found) else []
     ends = [found, *(ended(start, False)[0] for start in others)]
     return min(ends, key=lambda end: rows.objective(end, rule.weight or 0.0)) if others else found
 
@@ -127,11 +126,7 @@ def _beside(
 
 
 def _begun(problem: Problem, errors: Array, other: Array) -> list[State]:
-    """Return a start that is elsewhere in what is fitted: distances lead from the drawing into other valleys.
-
-    So they do from the other side of the drawing: of a drawn machine that is like its mirror image, errors and their
-    opposites explain them about as well.
-    """
+    """Return a start that is elsewhere in what is fitted: at the drawing, or on its other side."""
     errors = errors.copy()
     errors[problem.columns] = other[problem.columns]
     try:

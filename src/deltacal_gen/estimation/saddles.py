@@ -5,6 +5,9 @@ tilts a rod either way, a vertical axis whose compliance no weight loads) nothin
 the objective falls to both sides. How it bends is seen in its gradient a little beside the fit. What the linear machine
 says of that is known without it: where there is little else nothing more is asked; elsewhere few directions hold the
 rest, whose lowest curvature is sought (Lanczos 1950), and the direction that bends down most under both.
+
+A drawing may be such a place: of a drawn machine that is like its mirror image, errors and their opposites explain
+distances about as well, and a fit that left it to one side sees nothing of the other.
 """
 
 from __future__ import annotations
@@ -27,7 +30,7 @@ LOOKS = 8  # directions that are looked at, at most
 SETTLED = 0.1  # in units of the prior's own: how surely the lowest curvature is known where no more are
 DOWN = -0.05  # in units of the prior's own: a curvature that is below it leads away
 GOLDEN = (5**0.5 - 1) / 2  # parts of one that its multiples leave are spread evenly
-BEGUN = 0.5  # standard deviations beforehand: where steps begin
+BEGUN = 0.5  # standard deviations beforehand: where steps begin, and beyond which they have left a place
 
 
 def away(found: Fit) -> list[State]:
@@ -44,6 +47,22 @@ def away(found: Fit) -> list[State]:
         return [] if down is None else [beside.state(side * BEGUN * down) for side in (1.0, -1.0)]
     except InputError:
         return []  # no machine stands there
+
+
+def left_to_a_side(found: Fit) -> bool:
+    """Tell whether a fit left the drawing along what readings do not see from there."""
+    problem, at = found.problem, found.problem.reference
+    if not found.solution.posterior or np.linalg.norm(found.departure) < BEGUN:
+        return False
+    try:
+        machine = problem.solve(at)
+        drawn = problem.linearise(at, problem.begin(at, machine), machine)
+    except InputError:
+        return False  # no machine stands there
+    A, _ = system(drawn, found.sigma, found.weights, found.repeats, problem.scale).machine
+    _, s, Vt = np.linalg.svd(A, full_matrices=False)
+    strong = Vt[s**2 > SEEN * (1 + s**2)]
+    return bool(np.linalg.norm(found.departure - strong.T @ (strong @ found.departure)) > BEGUN)
 
 
 def _most_down(beside: _Beside, unseen: Array, v: Array) -> Array | None:
