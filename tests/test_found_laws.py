@@ -25,6 +25,7 @@ from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.pages import report
 from deltacal_gen.pages.laws import mathml
 from deltacal_gen.results.diagnosis import Diagnosis
+from tests.benchmarks import laws
 from tests.left_out import SIGMA, channels, effect, machine, record
 from tests.test_law_language import LIMB, law
 
@@ -232,6 +233,14 @@ def test_a_random_walk_is_no_law_of_time() -> None:
     walk = np.cumsum(np.random.default_rng(4).standard_normal((N, 3)), axis=0) * SIGMA
     found = dc.diagnose(ROBOT, dataclasses.replace(recording, measured=recording.measured + walk))
     assert found.laws == ()
+
+
+def test_a_law_with_a_form_that_has_its_part_stands_without_a_name() -> None:
+    """Of warmth times the square of what a gauge reads: warmth alone, and times what it reads, cost 19 of chi2 more."""
+    case = laws.generate("known", (20281126, 0, 31))
+    found = dc.diagnose(case.robot, case.recording)
+    assert found.effects == ()
+    assert [t.expression for law in found.laws[:1] for t in law.terms] == ["c1*warming*oil_C**2"]
 
 
 def test_it_is_written_as_the_file_of_an_effect_that_says_the_same(found: Diagnosis, tmp_path: Path) -> None:

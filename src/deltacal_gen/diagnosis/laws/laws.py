@@ -173,14 +173,14 @@ def _beside(
     some = problem.some(MOST_POSES, np.random.default_rng(SEED))
     first = _of_all(some, base, proof.grown, names)
     for grown in () if first is None else (curved(some, first), first):
-        kept: Grown | None = _needed(some, grown, found)
-        if kept is not None and kept.law and some is not problem:
-            kept = _of_all(problem, base, kept, kept.names)
-        if kept is None or not kept.law or kept.cost >= deviance_of(found.search.fit) or _by_others(kept):
-            continue
-        asked = _asked(problem, kept, proof)  # what is told is asked for as it is written
-        if asked is not None and asked.holds:
-            return Sought(tuple(_told(problem, _calm(problem, kept), asked, found)))
+        for kept in _alone_first(some, base, proof.grown, _needed(some, grown, found), found):
+            if kept.law and some is not problem:
+                kept = _of_all(problem, base, kept, kept.names) or dataclasses.replace(kept, law=())
+            if not kept.law or kept.cost >= deviance_of(found.search.fit) or _by_others(kept):
+                continue
+            asked = _asked(problem, kept, proof)  # what is told is asked for as it is written
+            if asked is not None and asked.holds:
+                return Sought(tuple(_told(problem, _calm(problem, kept), asked, found)))
     return Sought()
 
 
@@ -238,6 +238,18 @@ def _of_all(problem: Problem, base: Fit, grown: Grown, names: Sequence[Term]) ->
     for i in range(len(grown.law)):
         out = polished(problem, out, i)
     return out
+
+
+def _alone_first(problem: Problem, base: Fit, law: Grown, kept: Grown, found: Outcome) -> list[Grown]:
+    """Return a law with the names that it needs; before it without any, where a form that has their part costs less.
+
+    Warmth times what a gauge reads, and warmth, are warmth times what the gauge reads from elsewhere on.
+    """
+    if not (kept.law and kept.names) or terms_of(base):
+        return [kept]
+    alone = _of_all(problem, base, law, [])
+    alone = None if alone is None else curved(problem, alone)
+    return [kept] if alone is None or _cost(alone, found) >= _cost(kept, found) else [alone, kept]
 
 
 def _needed(problem: Problem, grown: Grown, found: Outcome) -> Grown:
