@@ -13,6 +13,7 @@ import deltacal_gen as dc
 from deltacal_gen.errors import InputError
 from deltacal_gen.motion import derivatives, kinds
 from deltacal_gen.motion.lost import limits
+from deltacal_gen.physics import splines
 from tests.conftest import Run
 from tests.motion_recordings import NOISE, STEP, named, robot, trajectory, usual, written
 
@@ -37,6 +38,18 @@ def test_derivatives_have_no_delay_and_tell_their_cut_off(recorded: Path) -> Non
     assert found.cutoff is not None
     assert 1.0 < found.cutoff < 13.0
     assert 0 < found.removed < 1e-3
+
+
+@pytest.mark.parametrize("seed", [1, 4])
+def test_of_short_movements_at_one_speed_enough_is_left(seed: int) -> None:
+    """They have no acceleration: knots a second apart were best for that, and all of two seconds were loose ends."""
+    t, rng = np.arange(0, 2.2, STEP), np.random.default_rng(seed)
+    joints = np.concatenate([speed * t for speed in (1.5, -1.5, 1.0, -1.0)])[:, None] * np.ones(3)
+    joints = joints + 3e-5 * rng.standard_normal(joints.shape)
+    given = splines.Samples(joints, np.tile(t, 4), np.repeat(np.arange(4), len(t)))
+    spacing = splines.chosen_spacing(given, 2, ["rad"] * 3)
+    assert 0.1 < spacing < 0.26
+    assert np.mean(splines.inside(given, splines.LOOSE * spacing)) > 0.49
 
 
 def changed(recorded: Path, folder: Path, change: Callable[[list[str]], list[str]], sidecar: str = "") -> Path:
@@ -221,6 +234,20 @@ def test_a_time_in_milliseconds_is_refused(recorded: Path, tmp_path: Path) -> No
     given = read(changed(recorded, tmp_path, of_column(1, lambda t: 1000 * t)))
     with pytest.raises(InputError, match=r"samples lie 10 s apart.*Give time_s in seconds"):
         derivatives.motion(given)
+
+
+@pytest.mark.parametrize("said", [None, "", "[measurement]\nsigma_mm = 0.1\n"])
+def test_a_recording_of_drives_whose_sidecar_does_not_say_so_is_told_what_to_write(
+    said: str | None, recorded: Path, tmp_path: Path
+) -> None:
+    path = changed(recorded, tmp_path, list)
+    path.with_suffix(".toml").unlink()
+    if said is not None:
+        path.with_suffix(".toml").write_text(said)
+    with pytest.raises(InputError) as error:
+        dc.diagnose(recorded.parent / "robot.toml", path)
+    assert "column 'tau1_Nm': this is what a drive gives" in str(error.value)
+    assert "Write kind = 'torque' under [measurement] in recording.toml." in str(error.value)
 
 
 def test_derivatives_said_to_be_recorded_must_be_there(recorded: Path, tmp_path: Path) -> None:

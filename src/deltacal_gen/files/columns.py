@@ -17,6 +17,7 @@ RESERVED = {*MEASURED, *TOOL, "pose", "setup"}
 ONE_SETUP = ("1",)  # name of the only set-up, where the file names none
 
 JOINT = re.compile(r"q\d+_(deg|mm)")
+DRIVE = re.compile(r"(tau|current|drive)\d+(_[A-Za-z]+)?")  # what drives give
 
 
 def is_channel(column: str) -> bool:

@@ -20,6 +20,7 @@ import numpy as np
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.checks import check_home, check_repeats, impossible
 from deltacal_gen.files.columns import (
+    DRIVE,
     JOINT,
     MEASURED,
     ONE_SETUP,
@@ -40,6 +41,7 @@ from deltacal_gen.instrument.kinds import PAIRS, POINTS, kind_of
 from deltacal_gen.machine.machine import POSE
 from deltacal_gen.machine.rotation import from_turns, from_vector, to_vector
 from deltacal_gen.machine.values import POSITION, ROTATION, Recording
+from deltacal_gen.results.reader import TORQUE
 from deltacal_gen.states import of_column
 from deltacal_gen.units import DEG, joint_factors, joint_names
 
@@ -393,6 +395,12 @@ def _kind(
             f"Say which to use: kind = '...' under [measurement] in {rows.path.with_suffix('.toml').name}.",
         )
     if not present and need_measured and not paired:
+        if (drive := next(filter(DRIVE.fullmatch, rows.columns), None)) is not None:
+            raise rows.error(
+                "this is what a drive gives, and the sidecar does not say that the recording is in motion.",
+                f"Write kind = '{TORQUE}' under [measurement] in {rows.path.with_suffix('.toml').name}.",
+                column=drive,
+            )
         raise rows.error(
             "no column holds a measured quantity.",
             f"Add one of: {'; '.join(', '.join(names) for names in columns.values())}.",

@@ -12,7 +12,6 @@ from deltacal_gen.states import TIME
 from deltacal_gen.units import of_joints
 
 SLOWEST = 1.0  # s between samples of which derivatives are made: it is mostly a time in milliseconds
-LOOSE = 2.0  # knots: nearer to an end, the noise of an acceleration is up to fifty times that in the middle
 
 
 def motion(given: Trajectories, cutoff: float | None = None) -> Motion:
@@ -50,7 +49,7 @@ def motion(given: Trajectories, cutoff: float | None = None) -> Motion:
     return Motion(
         states,
         np.outer(per, sigma),
-        ~splines.inside(samples, LOOSE * spacing),
+        ~splines.inside(samples, splines.LOOSE * spacing),
         0.5 / spacing,
         splines.removed(samples, fitted[0], units),
         splines.what_was_done(what, spacing),

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, TypeVar
 import numpy as np
 
 from deltacal_gen.errors import InputError
-from deltacal_gen.files.columns import JOINT, Columns, instrument_path
+from deltacal_gen.files.columns import DRIVE, JOINT, Columns, instrument_path
 from deltacal_gen.files.dialect import LOOKED_AT
 from deltacal_gen.files.robot import robot_of
 from deltacal_gen.files.rows import csv_blocks
@@ -199,7 +199,7 @@ def is_recording(path: Path) -> bool:
         beside = names if said.measurement.clock is None else next(csv_blocks(instrument_path(path), LOOKED_AT)).columns
     except InputError:
         return False
-    return any(JOINT.fullmatch(n) for n in names) and any(trajectories.READ.fullmatch(n) for n in beside)
+    return any(JOINT.fullmatch(n) for n in names) and any(DRIVE.fullmatch(n) for n in beside)
 
 
 def flaws(known: MotionModel) -> Iterator[tuple[str, str]]:

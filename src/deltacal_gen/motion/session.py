@@ -113,7 +113,8 @@ class Session:
             raise InputError(
                 f"no joint moves for long enough: {self._most()}. Friction at rest is not known, and a part of what "
                 "moves must be held out.",
-                f"Record {LEAST_RUNS} runs or more, or one of at least ten seconds, in which joints move.",
+                f"Record {LEAST_RUNS} runs or more, or one of at least ten seconds, in which joints move for {FEW} "
+                "samples at least.",
                 file=self.given.path,
             )
         return found

@@ -6,7 +6,6 @@ What is wrong in a file is an error with its line and column, or is put right an
 from __future__ import annotations
 
 import dataclasses
-import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -15,6 +14,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Literal
 import numpy as np
 
 from deltacal_gen.errors import InputError
+from deltacal_gen.files.columns import DRIVE
 from deltacal_gen.files.logged import increasing, logged
 from deltacal_gen.files.rows import Rows, number_of, read_table
 from deltacal_gen.files.sidecar import Clocks, Noise
@@ -28,7 +28,6 @@ from deltacal_gen.units import joint_factors, joint_names, of_joints
 if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Array, Machine
 
-READ = re.compile(r"(tau|current|drive)\d+(_[A-Za-z]+)?")  # columns of what drives give
 TURNS_ON = 5.0  # times what a joint ordinarily moves from sample to sample: so much it may beside a whole turn
 MOVES = 1e-2  # rad: what it may at least
 INSIDE = {"Nm": 1000.0, "N": 1.0, "A": 1.0, "1": 1.0}  # of a unit in files: N mm, N, A, 1
@@ -369,7 +368,7 @@ def _read_columns(rows: Rows, machine: Machine, needed: bool) -> tuple[tuple[str
         "current": ([f"current{i}_A" for i in numbers], ["A"] * limbs),
         "drive": ([f"drive{i}" for i in numbers], ["1"] * limbs),
     }
-    there = [name for name in rows.columns if READ.fullmatch(name)]
+    there = [name for name in rows.columns if DRIVE.fullmatch(name)]
     for name in there:
         if not any(name in columns for columns, _ in forms.values()):
             known = "; ".join(", ".join(columns) for columns, _ in forms.values())

@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 DEGREE = 5
 FINEST = 4.0  # samples between two knots, at least
 COARSEST = 1.0  # s between them, at most
+LOOSE = 2.0  # knots: nearer to an end, the noise of an acceleration is up to fifty times that in the middle
+KEPT = 0.5  # of the recorded time: knots of which the loose ends leave less are too far apart
 SHIFTS = 0.0, 0.5  # of the spacing, of the knots of splines whose mean is taken
 RATIO = 2**0.5  # between spacings that are looked at
 LEAST = 2 * (DEGREE + 1)  # samples of a piece
@@ -128,7 +130,8 @@ def chosen_spacing(given: Samples, order: int, units: Sequence[str]) -> float:
     finest = FINEST * given.step
     count = 2 + int(np.log(max(COARSEST / finest, RATIO)) / np.log(RATIO))
     spacings = finest * RATIO ** np.arange(count)
-    within = inside(given, COARSEST / 2)
+    spacings = spacings[: max(2, int((_kept(given, spacings) >= KEPT).sum()))]
+    within = inside(given, min(COARSEST / 2, LOOSE * spacings[-1]))
     derivatives = [smooth(given, h, order)[:, within] for h in spacings]
     base = given.values[within]
     sigma = noise(base, derivatives[0][0], given.step, finest)
@@ -148,6 +151,13 @@ def chosen_spacing(given: Samples, order: int, units: Sequence[str]) -> float:
             beyond = np.maximum(beyond, apart - (of_finer - of_noise[n]))
         risks.append(float(((beyond + of_noise[n]) / whole)[counted].sum()))
     return float(spacings[int(np.argmin(risks))])
+
+
+def _kept(given: Samples, spacings: np.ndarray) -> Array:
+    """Return which part of the recorded time is not loose with knots so far apart [s]."""
+    lasts = np.array([given.time[own[-1]] - given.time[own[0]] for own in given.pieces])
+    left = np.maximum(lasts - 2 * LOOSE * spacings[:, None], 0.0).sum(axis=1)
+    return np.asarray(left / max(lasts.sum(), 1e-300))
 
 
 def resolves(given: Samples, spacing: float, units: Sequence[str]) -> bool:
