@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -233,3 +234,33 @@ def test_a_term_that_is_nothing_throughout_is_dropped(tmp_path: Path) -> None:
     beyond, within = (single("q", Atom("Max({0} - q, 0)", (at,), 3)) for at in (-1e3, 0.1))
     limits = {"q": (float(joint.states["q"].min()), float(joint.states["q"].max()))}
     assert laws._alive(fitted(joint, []), (beyond, within), limits) == (within,)
+
+
+@pytest.mark.parametrize(
+    ("form", "friction", "name"), [("sign(qd)", 0.4, "coulomb_friction"), ("Max(q, 0)", 0.0, None)]
+)
+def test_what_a_registered_effect_says_as_well_is_no_law(
+    form: str, friction: float, name: str | None, tmp_path: Path
+) -> None:
+    """Three movements, each one way, made dry friction of a real arm a law of ``sign(q)``: so few count as three."""
+
+    def added(s: np.ndarray, load: np.ndarray) -> np.ndarray:
+        return friction * np.sign(s[1]) + (0.0 if name else 2.0) * np.maximum(s[0], 0.0)
+
+    path = written(tmp_path, added, seed=3, seconds=6.0)
+    robot, said = read_robot(tmp_path / "robot.toml"), read_sidecar(path)
+    assert said is not None
+    joint = Session.of(robot, read(path, mechanism_of(robot), said)).moving[2]
+    (state,) = {"q", "qd"} & set(re.findall(r"[a-z]+", form))
+    own = single(state, Atom(form, (), 2))
+    limits = {state: (float(joint.states[state].min()), float(joint.states[state].max()))}
+    fit = fitted(joint, [laws._rung(own, limits)])
+    law = laws.Lawful(fit, (own,), limits, 100.0, 20.0, 1.0, 1.0, (), ((1.0,),))
+    found = laws.registered(law, None)
+    if name is None:
+        assert found is None
+        return
+    assert found is not None
+    assert [rung.effect for rung in found.rungs] == [name]
+    assert found.coefficients[-1] / 1000 == pytest.approx(friction, rel=0.05)  # N mm
+    assert "viscous_friction" not in found.alike[0]

@@ -16,7 +16,7 @@ from deltacal_gen.motion.fit import Fit, fitted
 from deltacal_gen.motion.identification import RIGID, bodies_told, still_to_show
 from deltacal_gen.motion.ladder import BUYS, SEVERAL, LookedAt
 from deltacal_gen.motion.lag import LATENCY
-from deltacal_gen.motion.laws import Lawful, lawful
+from deltacal_gen.motion.laws import Lawful, lawful, registered
 from deltacal_gen.motion.mistakes import check, sizes_alone, too_heavy
 from deltacal_gen.motion.payload import NAMES, PAYLOAD, PayloadError
 from deltacal_gen.motion.session import Session, still_to_move, to_move, untold
@@ -69,16 +69,17 @@ def diagnose(robot: Robot, given: Trajectories, progress: Progress) -> MotionDia
     check(session)
     plain = [fitted(joint, []) for joint in session.moving]
     whole = searched(session, progress)
-    free, session, found = session, whole.session, whole.fits
-    rests = [rest(fit, session.declared(fit)) for fit in found]
-    laws, found, rests = _lawful(session, found, rests, progress)
+    free, session = session, whole.session
+    rests = [rest(fit, session.declared(fit)) for fit in whole.fits]
+    laws, found, rests = _lawful(session, whole.fits, rests, progress)
     effects = _effects(session, plain, found)
     if whole.payload is not None:
         effects = (*effects, _payload(whole.payload, whole, plain))
     open_ = [r for r in rests if r is not None]
     verdict = Verdict.UNEXPLAINED if open_ else Verdict.MISSING_PHYSICS if effects or laws else Verdict.ADEQUATE
     final = session.left(found)
-    bodies = bodies_told(free.rigid, beside(free, found) if laws else whole.free)
+    as_found = all(one is other for one, other in zip(found, whole.fits, strict=True))
+    bodies = bodies_told(free.rigid, whole.free if as_found else beside(free, found))
     return MotionDiagnosis(
         **session.answered(found),
         **bodies,
@@ -103,16 +104,23 @@ def diagnose(robot: Robot, given: Trajectories, progress: Progress) -> MotionDia
 def _lawful(
     session: Session, fits: Sequence[Fit], rests: Sequence[Rest | None], progress: Progress
 ) -> tuple[tuple[TorqueLaw, ...], list[Fit], list[Rest | None]]:
-    """Return the laws of joints that the ladder leaves open, and the fits and rests of all joints with these."""
+    """Return the laws of joints that the ladder leaves open, and the fits and rests of all joints with these.
+
+    A law that a registered effect says as well is that effect.
+    """
     laws: dict[int, Lawful] = {}
-    for fit, left in zip(fits, rests, strict=True):
-        if left is not None:
-            progress(f"a law of joint {fit.joint.number}")
-            if (found := lawful(fit, left, session.declared(fit))) is not None:
-                laws[fit.joint.number] = found
-    with_laws = [laws[f.joint.number].fit if f.joint.number in laws else f for f in fits]
-    left_open = [None if f.joint.number in laws else r for f, r in zip(fits, rests, strict=True)]
-    return told(session, laws), with_laws, left_open
+    after, left_open = list(fits), list(rests)
+    for k, (fit, left) in enumerate(zip(fits, rests, strict=True)):
+        if left is None:
+            continue
+        progress(f"a law of joint {fit.joint.number}")
+        sigma = session.declared(fit)
+        if (found := lawful(fit, left, sigma)) is None:
+            continue
+        if (named := registered(found, sigma)) is None:
+            laws[fit.joint.number] = found
+        after[k], left_open[k] = named or found.fit, None
+    return told(session, laws), after, left_open
 
 
 def _effects(session: Session, plain: Sequence[Fit], fits: Sequence[Fit]) -> tuple[TorqueEffect, ...]:

@@ -20,7 +20,6 @@ if TYPE_CHECKING:
 
 TRIED = 5  # sizes that are tried around the one found, before it is fitted
 REFINED = (1.6, 1.12)  # factors either way: half of what lies between two sizes that are searched, then between these
-ALIKE = 10.0  # of chi2: effects whose fits differ by less are not told apart
 SETTLES = 2  # fits after which a load no longer changes by what readings tell
 MADE_UP = 1e-9  # of the largest singular value: effects that others make up are none
 SMOOTH = 12  # hats of a smooth function of position, which waves must beat
@@ -225,7 +224,7 @@ def climbed(joint: Joint) -> Fit:
         fit,
         bought=tuple(ladder.buys(chosen, k, bench.folds) for k in chosen),
         gains=tuple(ladder.gain(chosen, k, bench.folds) for k in chosen),
-        alike=tuple(_alike(ladder, chosen, k) for k in chosen),
+        alike=tuple(ladder.alike(chosen, k) for k in chosen),
         passed_over=ladder.passed_over(chosen, bench.folds),
         first=ladder.first(bench.folds),
     )
@@ -282,19 +281,6 @@ def _with_rungs(joint: Joint, ladder: Ladder, rungs: Mapping[int, Rung], load: A
     changed = [c for k in rungs for c in ladder.at[k]]
     bench = ladder.bench.with_columns(changed, X, joint.y, joint.fold) if changed else ladder.bench
     return dataclasses.replace(ladder, bench=bench, X=X, rungs=tuple(every), counted={})
-
-
-def _alike(ladder: Ladder, chosen: Sequence[int], rung: int) -> tuple[str, ...]:
-    """Return the effects that would do as well in place of one: a difference in chi2 below 10."""
-    others, bench = [k for k in chosen if k != rung], ladder.bench
-    count = float(bench.n[list(bench.folds)].sum()) / ladder.together(others)
-    now = bench.train(ladder.columns(chosen), bench.folds)
-    own = ladder.rungs[rung].effect
-    rivals = [k for k in ladder.open(chosen) if ladder.rungs[k].effect != own]
-    without = ladder.columns(others)
-    after = bench.train(without, bench.folds) - bench.gains(without, [ladder.at[k] for k in rivals], bench.folds)
-    near = count * np.log(np.maximum(after, 1e-300) / now) < ALIKE
-    return tuple(dict.fromkeys(ladder.rungs[k].effect for k, alike in zip(rivals, near, strict=True) if alike))
 
 
 def _refined(joint: Joint, beside: Sequence[Rung], rung: Rung, wide: float, load: Array, folds: Sequence[int]) -> Rung:

@@ -24,6 +24,7 @@ LOOKED_AT = 15  # of the candidates that leave least of the samples of a fit: th
 PAIRED = 3  # of the rungs that buy enough and earn too little: those to which another is sought
 ROUNDS = 3  # of climbing and stepping back
 PER_COEFFICIENT = 6.0  # of chi2: what a coefficient must earn; and twice the logarithm of how many were looked at
+ALIKE = 10.0  # of chi2: effects whose fits differ by less are not told apart
 SEVERAL = "orders"  # a machine may have an effect that is searched so at several of them
 
 
@@ -205,6 +206,23 @@ class Ladder:
         """Return of every effect that is not chosen the rung that explains most, where that buys nearly enough."""
         best = self._best_of_each(chosen, folds)
         return [k for k in best if self.buys([*chosen, k], k, folds) > NEARLY * BUYS]
+
+    def alike(self, chosen: Sequence[int], rung: int) -> tuple[str, ...]:
+        """Return the effects that would do as well in place of one of the rungs chosen."""
+        others = [k for k in chosen if k != rung]
+        count = float(self.bench.n[list(self.bench.folds)].sum()) / self.together(others)
+        rivals = [k for k in self.open(chosen) if self.rungs[k].effect != self.rungs[rung].effect]
+        worse = count * self.worse_by(others, rivals, chosen)
+        return tuple(dict.fromkeys(self.rungs[k].effect for k, by in zip(rivals, worse, strict=True) if by < ALIKE))
+
+    def worse_by(self, others: Sequence[int], rivals: Sequence[int], chosen: Sequence[int]) -> Array:
+        """Return the logarithm of the mean square that each of some rungs leaves beside others, over that of `chosen`.
+
+        The mean squares are those of fits to all folds.
+        """
+        bench, without = self.bench, self.columns(others)
+        after = bench.train(without, bench.folds) - bench.gains(without, [self.at[k] for k in rivals], bench.folds)
+        return np.asarray(np.log(np.maximum(after, 1e-300) / bench.train(self.columns(chosen), bench.folds)))
 
     def first(self, folds: Sequence[int]) -> LookedAt | None:
         """Return the effect that explains most for its price, where nothing is chosen yet."""

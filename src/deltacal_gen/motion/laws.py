@@ -21,7 +21,7 @@ from scipy.optimize import minimize
 
 from deltacal_gen.motion.fit import Fit, fitted
 from deltacal_gen.motion.joint import OFFSET
-from deltacal_gen.motion.ladder import BEGUN_WITH, BUYS, PER_COEFFICIENT
+from deltacal_gen.motion.ladder import ALIKE, BEGUN_WITH, BUYS, PER_COEFFICIENT
 from deltacal_gen.motion.library import LOAD, Rung
 from deltacal_gen.motion.regression import BETWEEN
 from deltacal_gen.motion.unexplained import RUN, SHOWS, Rest, channels, rest
@@ -41,7 +41,6 @@ SCREENED = 6000  # samples at which every form is looked at
 REFINED = 8  # forms whose constants are sought between the steps of their grid
 HELD_BACK = 3  # one fold of so many takes no part in the search
 MOST_OF = 0.8  # of what a smooth function takes away of squares that took no part: what a law must
-ALIKE = 10.0  # of chi2: forms that earn so much less are not told apart from the best
 TRIED = 150  # evaluations in which constants are refined
 STEP = 0.02  # of a state's range, either way: for a derivative by a constant
 
@@ -101,6 +100,34 @@ def lawful(fit: Fit, left: Rest | None, sigma: float | None) -> Lawful | None:
     if lean is None or (found is not None and len(lean.forms) > len(found.forms)):
         return found
     return lean if set(_needed(fit, lean.rungs)) <= set(usual) else found
+
+
+def registered(law: Lawful, sigma: float | None) -> Fit | None:
+    """Return the fit of a law's joint with a registered effect in its place, where one does as much; else None.
+
+    The ladder takes samples that hang together before an effect is taken for one, and may pass over what the search for
+    a law finds. What has a name is no law for that: where all movements go one way, ``sign(q)`` is dry friction.
+    """
+    fit, kept = law.fit, [*range(_kept(law))]
+    constant = [] if OFFSET in (fit.rungs[k].effect for k in kept) else [Rung(OFFSET)]  # a law may have one of its own
+    ladder = fit.ladder([*constant, *fit.joint.candidates])
+    every, first = range(len(fit.rungs)), len(fit.rungs) + len(constant)
+    beside = [*kept, *range(len(fit.rungs), first)]
+    taken = {ladder.rungs[k].effect for k in beside}
+    rivals = [k for k in range(first, len(ladder.rungs)) if ladder.rungs[k].effect not in taken]
+    worse = len(fit.left) / fit.together * ladder.worse_by(beside, rivals, every)
+    for n in np.argsort(worse):
+        if worse[n] >= ALIKE:
+            break
+        own = [*kept, rivals[n]]
+        if constant and ladder.buys([*own, len(fit.rungs)], len(fit.rungs), ladder.bench.folds) >= BUYS:
+            own = [*beside, rivals[n]]
+        after = _refitted(fit, kept, [ladder.rungs[k] for k in own[len(kept) :]])
+        if not ladder.impossible(own, ladder.bench.folds) and rest(after, sigma) is None:
+            after, rungs = after.with_worth(), range(len(after.rungs))
+            others = after.ladder(after.joint.candidates)
+            return replace(after, alike=tuple(others.alike(rungs, k) for k in rungs))
+    return None
 
 
 def _kept(law: Lawful) -> int:
