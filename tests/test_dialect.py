@@ -146,6 +146,13 @@ def test_exports_of_instrument_software(tmp_path: Path, software: str) -> None:
         ("q1_degrees", ("q1_deg", 1.0, 0.0)),
         ("temp_kelvin", ("temp_C", 1.0, -273.15)),
         ("temp_arm [°F]", ("temp_arm_C", 5 / 9, -160 / 9)),
+        ("tau1 [Nm]", ("tau1_Nm", 1.0, 0.0)),
+        ("Tau2_mNm", ("tau2_Nm", 1e-3, 0.0)),
+        ("tau2 (N·m)", ("tau2_Nm", 1.0, 0.0)),
+        ("tau3 [kN]", ("tau3_N", 1e3, 0.0)),
+        ("current6_mA", ("current6_A", 1e-3, 0.0)),
+        ("Drive1", ("drive1", 1.0, 0.0)),
+        ("Run", ("run", 1.0, 0.0)),
         ("load_inch", None),
     ],
 )

@@ -210,7 +210,7 @@ def test_where_a_run_begins_is_no_spike(tmp_path: Path) -> None:
         (with_cell(100, 0, "2"), "line 101, column 'run': run '1' goes on here"),
         (lambda lines: [line.rpartition(",")[0] for line in lines], "column 'tau3_Nm': the column is missing"),
         (lambda lines: [*lines[:-1], "4,11.99,1.0"], "the row has 3 cells, the header 8"),
-        (lambda lines: [lines[0].replace("tau1_Nm", "tau1_kNm"), *lines[1:]], "'tau1_kNm' is no reading of a drive"),
+        (lambda lines: [lines[0].replace("tau1_Nm", "tau1_lbft"), *lines[1:]], "'tau1_lbft' is no reading of a drive"),
         (lambda lines: [lines[0].replace("time_s", "t"), *lines[1:]], "column 'time_s': the column is missing"),
     ],
 )

@@ -17,14 +17,14 @@ from datetime import UTC, datetime, time
 from pathlib import Path
 
 from deltacal_gen.errors import InputError, UsageError
-from deltacal_gen.files.columns import JOINT, RESERVED, is_channel
+from deltacal_gen.files.columns import DRIVE, JOINT, RESERVED, is_channel
 from deltacal_gen.files.toml import read_bytes
 from deltacal_gen.states import TIME
 
 LOOKED_AT = 200  # lines in which the header is searched for
 SEPARATORS = (",", ";", "\t", "|")
 _MOMENT = re.compile(r"(date_?)?time(_?stamp)?|date|stamp")  # names of columns that hold moments
-LABELS = {"pose", "setup", "contact", "pose_a", "pose_b"}
+LABELS = {"pose", "setup", "contact", "pose_a", "pose_b", "run"}
 _DEG, _MM = {"deg": 1.0, "rad": 57.29577951308232}, {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4, "um": 1e-3}
 _UNITS: tuple[tuple[re.Pattern[str], str, dict[str, float]], ...] = (  # of columns, unit in files, factors to it
     (re.compile(r"q\d+[ab]?"), "deg", _DEG),
@@ -35,6 +35,9 @@ _UNITS: tuple[tuple[re.Pattern[str], str, dict[str, float]], ...] = (  # of colu
     (re.compile(r"qd\d+"), "mm_s", {f"{u}_s": f for u, f in _MM.items()}),
     (re.compile(r"qdd\d+"), "deg_s2", {f"{u}_s2": f for u, f in _DEG.items()}),
     (re.compile(r"qdd\d+"), "mm_s2", {f"{u}_s2": f for u, f in _MM.items()}),
+    (re.compile(r"tau\d+"), "Nm", {"nm": 1.0, "mnm": 1e-3, "nmm": 1e-3, "ncm": 1e-2, "knm": 1e3}),
+    (re.compile(r"tau\d+"), "N", {"n": 1.0, "kn": 1e3}),
+    (re.compile(r"current\d+"), "A", {"a": 1.0, "ma": 1e-3}),
     (re.compile(r"time"), "s", {"s": 1.0, "ms": 1e-3, "min": 60.0, "h": 3600.0}),
     (re.compile(r"payload"), "kg", {"kg": 1.0, "g": 1e-3, "lb": 0.45359237}),
     (re.compile(r"temp(_\w+)?"), "C", {"c": 1.0, "k": 1.0, "f": 5 / 9}),
@@ -47,6 +50,8 @@ _SPELLINGS = {  # units as people write them
     "um": ("µm", "μm", "micron"),
     "m": ("meter", "metre", "meters", "metres"),
     "s": ("sec",),
+    "nm": ("n m", "n·m", "n*m", "n.m"),
+    "a": ("ampere", "amperes", "amp", "amps"),
     "c": ("°c", "degc", "celsius"),
     "k": ("kelvin",),
     "f": ("°f", "degf", "fahrenheit"),
@@ -185,8 +190,8 @@ def _unit(text: str) -> str:
 def converted(name: str, unit: str = "") -> tuple[str, float, float]:
     """Return a column's name as files here have it, the factor to its unit, and what is added.
 
-    ``X [m]`` is ``x_mm``, times 1000; ``temp [K]`` is ``temp_C``, less 273.15. `unit` is what a row of units says. A
-    name that says no unit, or that is not known, stays as it is.
+    ``X [m]`` is ``x_mm``, times 1000; ``temp [K]`` is ``temp_C``, less 273.15; ``Run`` is ``run``. `unit` is what a row
+    of units says. A name that is not known stays as it is.
     """
     stem, said = name.strip(), _unit(unit)
     if any(stem.endswith(f"_{own}") and p.fullmatch(stem.removesuffix(f"_{own}")) for p, own, _ in _UNITS):
@@ -202,7 +207,8 @@ def converted(name: str, unit: str = "") -> tuple[str, float, float]:
         for other, factor in factors.items():
             if plain.endswith(f"_{other}") and pattern.fullmatch(plain.removesuffix(f"_{other}")):
                 return f"{plain.removesuffix(f'_{other}')}_{own}", factor, _ABOVE.get(other, 0.0)
-    return name, 1.0, 0.0
+    bare = plain in LABELS or is_channel(plain) or DRIVE.fullmatch(plain)  # Run, Drive1
+    return plain if bare else name, 1.0, 0.0
 
 
 def decimal_of(path: Path, cells: Iterable[tuple[int, str]]) -> str:
