@@ -52,6 +52,24 @@ def test_of_short_movements_at_one_speed_enough_is_left(seed: int) -> None:
     assert np.mean(splines.inside(given, splines.LOOSE * spacing)) > 0.49
 
 
+def test_a_stop_between_two_samples_takes_no_part(recorded: Path) -> None:
+    """What is made of it is a stop over two knots, before and behind; waves are cut nowhere."""
+    t, rng = np.arange(0, 6.0, STEP), np.random.default_rng(5)
+    way = 1.5 * np.minimum(t, 3.0) + 0.2 * np.sin(5 * t)
+    noisy = way[:, None] + 3e-5 * rng.standard_normal((len(t), 1))
+    given = splines.Samples(noisy, t, np.zeros(len(t), dtype=int))
+    cut = splines.cut(given, splines.smooth(given, 0.08, 1), 0.08, ["rad"])
+    assert cut[np.abs(t - 3.0) < 0.15].all()
+    assert not cut[np.abs(t - 3.0) > 0.25].any()
+    speed = 1.5 * (t < 3.0) + np.cos(5 * t)
+    off = splines.smooth(given, 0.08, 1)[1, :, 0] - speed
+    there = splines.inside(given, 0.16)
+    assert np.abs(off[there & ~cut]).max() < 0.05 < 0.5 < np.abs(off[cut]).max()
+    moving = kinds.in_motion(recorded)
+    assert moving is not None
+    assert "cuts" not in derivatives.motion(moving.read(robot())).text
+
+
 def changed(recorded: Path, folder: Path, change: Callable[[list[str]], list[str]], sidecar: str = "") -> Path:
     path = folder / "recording.csv"
     path.write_text("\n".join(change(recorded.read_text().splitlines())) + "\n")
@@ -234,6 +252,16 @@ def test_a_time_in_milliseconds_is_refused(recorded: Path, tmp_path: Path) -> No
     given = read(changed(recorded, tmp_path, of_column(1, lambda t: 1000 * t)))
     with pytest.raises(InputError, match=r"samples lie 10 s apart.*Give time_s in seconds"):
         derivatives.motion(given)
+
+
+def test_a_run_of_a_few_samples_each_is_refused(recorded: Path, tmp_path: Path) -> None:
+    """A counter in the column `run`, for one; the screen showed warnings of means of nothing."""
+
+    def counted(lines: list[str]) -> list[str]:
+        return [lines[0], *(f"{n // 8},{line.partition(',')[2]}" for n, line in enumerate(lines[1:1200]))]
+
+    with pytest.raises(InputError, match="no movement has more than 8 samples without a gap"):
+        derivatives.motion(read(changed(recorded, tmp_path, counted)))
 
 
 @pytest.mark.parametrize("said", [None, "", "[measurement]\nsigma_mm = 0.1\n"])

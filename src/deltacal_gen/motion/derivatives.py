@@ -20,7 +20,7 @@ def motion(given: Trajectories, cutoff: float | None = None) -> Motion:
     Raises
     ------
     InputError
-        Samples lie so far apart that no motion is seen between them.
+        Samples lie so far apart that no motion is seen between them, or no movement has enough of them.
     """
     if given.moved is not None:
         return given.moved
@@ -40,17 +40,29 @@ def motion(given: Trajectories, cutoff: float | None = None) -> Motion:
         )
     base, order = (given.joints, 0) if said is None else (given.recorded[0], 1)
     samples, units = Samples(base, given.time, given.piece), of_joints(given.joint_unit, base.shape[1])
+    if (longest := max(map(len, samples.pieces))) < splines.LEAST:
+        raise InputError(
+            f"no movement has more than {longest} samples without a gap: no derivative is made of so few.",
+            "Give all samples of one uninterrupted movement the same run.",
+            file=given.path,
+            column=TIME,
+        )
     spacing = splines.chosen_spacing(samples, 2 - order, units) if cutoff is None else 0.5 / cutoff
     fitted = splines.smooth(samples, spacing, 2 - order)
     states = fitted if order == 0 else np.stack([given.joints, *fitted])
     sigma = splines.noise(base, fitted[0], given.step, spacing)
     per = [splines.unit_noise(given.step, spacing, d) for d in ((1, 2) if order == 0 else (0, 1))]
     what = "joints" if order == 0 else "recorded velocities"
+    loose, text = ~splines.inside(samples, splines.LOOSE * spacing), splines.what_was_done(what, spacing)
+    cut = np.zeros_like(loose) if order else splines.cut(samples, fitted, spacing, units) & ~loose
+    if 0 < cut.sum() <= (1.0 - splines.KEPT) * (~loose).sum():  # where most turns are cut, what is left is no recording
+        loose |= cut
+        text += f"; {cut.sum()} samples near turns that it cuts take no part"
     return Motion(
         states,
         np.outer(per, sigma),
-        ~splines.inside(samples, splines.LOOSE * spacing),
+        loose,
         0.5 / spacing,
         splines.removed(samples, fitted[0], units),
-        splines.what_was_done(what, spacing),
+        text,
     )

@@ -15,7 +15,7 @@ from deltacal_gen.motion.library import LOAD, Rung, of_joint, rungs
 from deltacal_gen.motion.regression import BETWEEN, Bench, folds_of, together
 from deltacal_gen.motion.rigid import Asked
 from deltacal_gen.motion.trajectories import Motion, Readout, Trajectories
-from deltacal_gen.physics.splines import Samples, smooth
+from deltacal_gen.physics.splines import HIGHEST, Samples, smooth
 from deltacal_gen.units import of_joints
 
 if TYPE_CHECKING:
@@ -24,7 +24,6 @@ if TYPE_CHECKING:
 AT_REST = 0.01  # of a joint's highest speeds: below it friction is not known; of another joint's: it stands
 NOISY_SPEED = 5.0  # standard deviations of a velocity: nor is its sign
 DRY, VISCOUS, OFFSET = USUAL = "coulomb_friction", "viscous_friction", "torque_offset"  # what every drive begins with
-HIGHEST = 0.99  # quantile of speeds that is meant by highest
 TURNED = 30.0  # of chi2: what friction that drives a joint must earn, so that its reading counts as turned round
 SAME_TIME = 1e-9  # s
 FEW = 100  # samples: a joint with fewer in motion is not looked at

@@ -27,6 +27,10 @@ KEPT = 0.5  # of the recorded time: knots of which the loose ends leave less are
 SHIFTS = 0.0, 0.5  # of the spacing, of the knots of splines whose mean is taken
 RATIO = 2**0.5  # between spacings that are looked at
 LEAST = 2 * (DEGREE + 1)  # samples of a piece
+FAR = 6.0  # standard deviations of a speed from samples alone: what it differs by more is no noise
+PART = 0.1  # of the highest speed: and a turn that a low-pass cuts
+CALM, OF_ALL = 0.9, 0.79  # quantile of misfits below which no turn is cut, and their rms of that of all, of white noise
+HIGHEST = 0.99  # quantile of speeds that is meant by highest
 AS_MUCH = 0.1  # of the motion of the series that moves most
 WINDOW = 40  # knots over which the noise of derivatives is computed
 GAP = 4.5  # times the ordinary interval: what lies on both sides is not one movement
@@ -184,6 +188,29 @@ def inside(given: Samples, within: float) -> np.ndarray:
     start, end = (np.array([f(given.time[own]) for own in given.pieces])[given.piece] for f in (np.min, np.max))
     found = (given.time - start > within) & (end - given.time > within)
     return found if found.any() else np.ones(len(given.time), dtype=bool)
+
+
+def cut(given: Samples, fitted: Array, spacing: float, units: Sequence[str]) -> np.ndarray:
+    """Tell which samples (N,) lie within `LOOSE` knots of a turn that the low-pass `fitted` (orders, N, k) cuts.
+
+    Its derivatives there are of its own making: a joint that stops from one sample to the next is slow before, and goes
+    on behind. Such a turn is seen in speeds from the sample before to the one after, which are noisy, but of no knots.
+    """
+    found = np.zeros(len(given.time), dtype=bool)
+    counted, highest = moving(given.values, units), np.nanquantile(np.abs(fitted[1]), HIGHEST, axis=0)
+    misfit = np.abs(given.values - fitted[0])
+    calm = np.where(misfit <= np.nanquantile(misfit, CALM, axis=0), given.values, np.nan)
+    noisy = FAR * noise(calm, fitted[0], given.step, spacing) / OF_ALL / (np.sqrt(2.0) * given.step)
+    for own in given.pieces:
+        time, values, within = given.time[own], given.values[own], own[1:-1]
+        speeds = (values[2:] - values[:-2]) / (time[2:] - time[:-2])[:, None]
+        turns = np.abs(speeds - fitted[1, within]) > np.maximum(noisy, PART * highest)
+        at = given.time[within[turns[:, counted].any(axis=1)]]
+        if len(at):
+            next_one = np.searchsorted(at, time).clip(max=len(at) - 1)
+            away = np.minimum(np.abs(at[next_one] - time), np.abs(at[(next_one - 1).clip(min=0)] - time))
+            found[own] = away <= LOOSE * spacing
+    return found
 
 
 def moving(values: Array, units: Sequence[str]) -> np.ndarray:
