@@ -116,3 +116,29 @@ def test_an_order_of_turns_wants_three(read: Path, tmp_path: Path) -> None:
 def test_a_machine_of_one_model_has_no_rough_stage_to_show(read: Path) -> None:
     """A chain is fitted whole from the start: what is not an encoder offset is not called so."""
     assert commands.identify(read / "robot.toml", read / "vector.csv")["accuracy"].get("rough") is None
+
+
+@pytest.mark.parametrize(
+    ("column", "factor", "told"),
+    [
+        ("rx_deg ry_deg rz_deg", np.pi / 180, r"no rotation vectors in deg: .* In rad, it is 0\.0\d+ deg.*rx_rad"),
+        (
+            "rx_deg ry_deg rz_deg",
+            -1.0,
+            r"not the rotations of the platform: .* As their inverses, .* it is 0\.0\d+ deg",
+        ),
+        ("q6_deg", -1.0, r"not those of these joints: .* [Ii]f joint 6 counts the other way .* it is 0\.0\d+ deg"),
+    ],
+)
+def test_rotations_tell_what_positions_do_not(
+    column: str, factor: float, told: str, read: Path, tmp_path: Path
+) -> None:
+    """Vectors in radians, those of the way back, and a joint about an axis through the point that was measured."""
+    rows = [row.split(",") for row in (read / "vector.csv").read_text().splitlines()]
+    for k in map(rows[0].index, column.split()):
+        for row in rows[1:]:
+            row[k] = repr(factor * float(row[k]))
+    (tmp_path / "read.csv").write_text("\n".join(map(",".join, rows)) + "\n")
+    (tmp_path / "read.toml").write_text((read / "vector.toml").read_text())
+    with pytest.raises(InputError, match=told):
+        commands.identify(read / "robot.toml", tmp_path / "read.csv")

@@ -23,9 +23,10 @@ from deltacal_gen.identification.mistakes import (
     explained,
     in_other_units,
     sizes,
+    turns_alike,
     typical,
 )
-from deltacal_gen.identification.rotations import turned, turns_alike
+from deltacal_gen.identification.rotations import turned
 from deltacal_gen.instrument.kinds import kind_of, mounts, readings
 from deltacal_gen.machine.registry import Array, Machine
 from deltacal_gen.machine.values import Recording, numbered

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import dataclasses
+import functools
 import itertools
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
 
 import numpy as np
@@ -16,15 +17,18 @@ from deltacal_gen.estimation.prior import unsaid
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.residuals import lengths
 from deltacal_gen.estimation.solvers import LeastSquares
-from deltacal_gen.identification.rotations import POSES_LOOKED_AT
+from deltacal_gen.identification.rotations import FAR_TURNED, POSES_LOOKED_AT, TURNED, apart, turned
 from deltacal_gen.machine.places import read_together
 from deltacal_gen.machine.registry import Array
+from deltacal_gen.machine.rotation import from_turns, from_vector
+from deltacal_gen.machine.values import ROTATION
 from deltacal_gen.physics.body import Body
 from deltacal_gen.units import DEG
 
 SEED = 2021  # of the poses on which mistakes are tried
 NEARER = 0.5  # of the error: a mistake that brings less is not fitted
 MOST_FITTED = 4
+AS_NEAR = 2.0  # times what the nearest mistake leaves: one that leaves more is not told beside it
 UNITS = ((1000.0, "metres"), (25.4, "inches"), (0.001, "micrometres"))  # and how many mm are one of them
 EXPLAINED = 0.1  # of the error: what a mistake may leave that explains it
 # how the measured point is found while mistakes are compared: they differ by more than a last step
@@ -117,13 +121,10 @@ def _spread(problem: Problem) -> float:
 
 
 def _mistakes(problem: Problem) -> Iterator[tuple[str, Problem]]:
-    found, body, said = problem.readings, problem.body, problem.recording.measurement
+    found, said = problem.readings, problem.recording.measurement
 
     def with_values(values: Array) -> Problem:
         return dataclasses.replace(problem, readings=dataclasses.replace(found, values=values))
-
-    def with_joints(q: Array) -> Problem:
-        return dataclasses.replace(problem, body=Body(body.robot, body.mechanism, q, body.tool, body.channels))
 
     if said.frame == "robot":
         recording = dataclasses.replace(problem.recording, measurement=dataclasses.replace(said, frame="unknown"))
@@ -131,6 +132,35 @@ def _mistakes(problem: Problem) -> Iterator[tuple[str, Problem]]:
             'the instrument has a frame of its own (frame = "unknown" in the sidecar)',
             dataclasses.replace(problem, recording=recording),
         )
+    yield from _of_joints(problem)
+    axes = "xyz"
+    read = [c for c in found.components if c < 3]
+    for i, j in itertools.combinations(read, 2):
+        swapped = [j if k == i else i if k == j else k for k in range(3)]
+        yield f"{axes[i]}_mm and {axes[j]}_mm are exchanged", with_values(found.values[:, swapped])
+    if found.rotations is not None and np.isfinite(found.rotations).all() and len(read) == 3:
+        back = np.swapaxes(found.rotations, 1, 2)
+        inverse = dataclasses.replace(found, values=-(back @ found.values[:, :, None])[:, :, 0], rotations=back)
+        yield (
+            "each pose is the inverse: where a board, or the instrument, is as the platform, or a camera on it, has it",
+            dataclasses.replace(problem, readings=inverse),
+        )
+    if len(read) > 1:
+        mirrored = np.where(np.arange(3) == read[0], -found.values, found.values)
+        yield "the instrument's frame is left-handed (one axis counts the other way)", with_values(mirrored)
+    yield from _units(problem, "positions")
+    for (factor, unit), i in itertools.product(UNITS, read):
+        scale = np.where(np.arange(3) == i, factor, 1.0)
+        yield f"{axes[i]}_mm is in {unit}", with_values(found.values * scale)
+
+
+def _of_joints(problem: Problem) -> Iterator[tuple[str, Problem]]:
+    """Return other meanings of the columns of joints."""
+    body = problem.body
+
+    def with_joints(q: Array) -> Problem:
+        return dataclasses.replace(problem, body=Body(body.robot, body.mechanism, q, body.tool, body.channels))
+
     joints = range(body.q.shape[1])
     yield "every joint counts the other way ([joints] sign)", with_joints(-body.q)
     for i in joints:
@@ -153,25 +183,88 @@ def _mistakes(problem: Problem) -> Iterator[tuple[str, Problem]]:
     for i, j in itertools.combinations(joints, 2):
         order = [j if k == i else i if k == j else k for k in joints]
         yield f"the columns of joints {i + 1} and {j + 1} are exchanged", with_joints(body.q[:, order])
-    axes = "xyz"
-    read = [c for c in found.components if c < 3]
-    for i, j in itertools.combinations(read, 2):
-        swapped = [j if k == i else i if k == j else k for k in range(3)]
-        yield f"{axes[i]}_mm and {axes[j]}_mm are exchanged", with_values(found.values[:, swapped])
-    if found.rotations is not None and np.isfinite(found.rotations).all() and len(read) == 3:
-        back = np.swapaxes(found.rotations, 1, 2)
-        inverse = dataclasses.replace(found, values=-(back @ found.values[:, :, None])[:, :, 0], rotations=back)
-        yield (
-            "each pose is the inverse: where a board, or the instrument, is as the platform, or a camera on it, has it",
-            dataclasses.replace(problem, readings=inverse),
+
+
+def turns_alike(first: Fit) -> None:
+    """Raise an InputError where measured rotations agree with the machine by another meaning of them, or of joints.
+
+    Of a wrist, rotations alone may tell how its joints count: the point that is measured lies near its axes. Joints
+    are asked where most poses tell, and where no other meaning of the rotations does. The machine is the robot file's:
+    one that was fitted to such rotations has bent to them.
+    """
+    found = first.problem.readings
+    if not turned(first) or found.rotations is None or not {3, 4, 5} <= {*found.components}:
+        return
+    few = first.problem.some(POSES_LOOKED_AT, np.random.default_rng(SEED))
+    off = _turned_off(few)
+    for meanings in (_of_angles(few), _of_turns(few) if off > FAR_TURNED else ()):
+        tried = sorted((_turned_off(changed), *words) for words, changed in meanings)
+        if not tried or tried[0][0] >= TURNED * off:
+            continue
+        least, what, _, remedy = tried[0]
+        near = dict.fromkeys(words for left, its, words, _ in tried if left <= AS_NEAR * least and its == what)
+        told = ", or ".join(near)
+        raise InputError(
+            f"rx_deg, ry_deg, rz_deg are {what}: from pose to pose they turn otherwise than the machine, by "
+            f"{off / DEG:.2g} deg. {told[0].upper()}{told[1:]}, it is {least / DEG:.2g} deg.",
+            remedy,
+            file=first.problem.recording.path,
         )
-    if len(read) > 1:
-        mirrored = np.where(np.arange(3) == read[0], -found.values, found.values)
-        yield "the instrument's frame is left-handed (one axis counts the other way)", with_values(mirrored)
-    yield from _units(problem, "positions")
-    for (factor, unit), i in itertools.product(UNITS, read):
-        scale = np.where(np.arange(3) == i, factor, 1.0)
-        yield f"{axes[i]}_mm is in {unit}", with_values(found.values * scale)
+
+
+def _turned_off(problem: Problem) -> float:
+    """Return by how much rotations turn more or less than the robot file's machine [rad]; inf where it cannot stand."""
+    found = problem.readings
+    try:
+        drawn = problem.solve(problem.reference).x[found.rows[:, 0], 3:].reshape(-1, 3, 3)
+    except (InputError, NoSolutionError):
+        return float("inf")
+    assert found.rotations is not None
+    return apart(found.rotations, drawn, problem)
+
+
+def _of_angles(problem: Problem) -> Iterator[tuple[tuple[str, str, str], Problem]]:
+    """Return other meanings of measured rotations: what they are not, what they are, and what to do."""
+    found, recording = problem.readings, problem.recording
+    assert found.rotations is not None
+    read = np.isfinite(found.rotations[:, 0, 0])
+    angles = recording.measured[found.rows[:, 0]][:, [recording.columns.index(name) for name in ROTATION]]
+
+    def meant(rotations: Callable[[Array], Array]) -> Problem:
+        own = np.full((len(read), 3, 3), np.nan)
+        own[read] = rotations(angles[read])
+        return dataclasses.replace(problem, readings=dataclasses.replace(found, rotations=own))
+
+    for order in map("".join, itertools.permutations("xyz")):
+        yield (
+            (
+                "no rotation vectors",
+                "as angles of turns about the instrument's axes, one after the other",
+                f'Say so under [measurement] in the sidecar: rotation = "{order}".',
+            ),
+            meant(functools.partial(from_turns, order)),
+        )
+    yield (
+        ("no rotation vectors in deg", "in rad", "Convert them, or call their columns rx_rad, ry_rad, rz_rad."),
+        meant(lambda vectors: from_vector(vectors / DEG)),
+    )
+    yield (
+        (
+            "not the rotations of the platform",
+            "as their inverses, of the instrument seen from the platform",
+            "Give the inverse of each: the negative of the vector.",
+        ),
+        meant(lambda vectors: from_vector(-vectors)),
+    )
+
+
+def _of_turns(problem: Problem) -> Iterator[tuple[tuple[str, str, str], Problem]]:
+    """Return other meanings of joints, in the words of `_of_angles`."""
+    for words, changed in _of_joints(problem):
+        yield (
+            ("not those of these joints", f"if {words}", "Correct the recording or the robot file."),
+            changed,
+        )
 
 
 def _units(problem: Problem, what: str) -> Iterator[tuple[str, Problem]]:

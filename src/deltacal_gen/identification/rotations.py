@@ -1,17 +1,13 @@
-"""Whether measured rotations are this machine's: what else their angles, or the axes they are about, may be."""
+"""Whether measured rotations are this machine's, and how the axes stand that they are about."""
 
 from __future__ import annotations
 
-import itertools
-
 import numpy as np
 
-from deltacal_gen.errors import InputError
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.machine.registry import Array
-from deltacal_gen.machine.rotation import align, from_turns, from_vector, to_vector
-from deltacal_gen.machine.values import ROTATION
+from deltacal_gen.machine.rotation import align, from_vector, to_vector
 from deltacal_gen.units import DEG
 
 POSES_LOOKED_AT = 60  # poses on which mistakes are tried
@@ -58,49 +54,33 @@ def _frame(at: Fit) -> Array | None:
     made, told = (to_vector(R[a[near]] @ np.swapaxes(R[b[near]], 1, 2)) for R in (predicted, measured))
     if len(told) < 3:
         return None
-    off, turn = np.linalg.norm(told - made, axis=1), align(made, told)
+    off, (turn, left) = float(np.median(np.linalg.norm(told - made, axis=1))), _aligned(made, told)
+    vector: Array = to_vector(turn[None])[0]
+    return vector if left < TURNED * off else None
+
+
+def _aligned(made: Array, told: Array) -> tuple[Array, float]:
+    """Return the rotation (3, 3) that takes vectors (P, 3) to others, and the median length of what it leaves.
+
+    A pose that was read wrongly, and vectors near half a turn, which may be of the other sense, are beyond the median.
+    """
+    turn = align(made, told)
     left = np.linalg.norm(told - made @ turn.T, axis=1)
-    most = np.median(left)  # a pose that was read wrongly, and near half a turn an axis of the other sense, are beyond
-    vector: Array = to_vector(align(made[left <= most], told[left <= most])[None])[0]
-    return vector if most < TURNED * np.median(off) else None
+    near = left <= np.median(left)
+    turn = align(made[near], told[near])
+    return turn, float(np.median(np.linalg.norm(told - made @ turn.T, axis=1)))
 
 
-def _apart(rotations: Array, drawn: Array, problem: Problem) -> float:
+def apart(rotations: Array, drawn: Array, problem: Problem) -> float:
     """Return by how much rotations (R, 3, 3) differ from others [rad], the median over pairs of poses of a set-up.
 
-    From pose to pose both turn by one angle, wherever the instrument stands and however its body is mounted.
+    From pose to pose both turn by one angle about one axis of the body, wherever the instrument stands; and the axes
+    of all pairs are those of the other body turned by one rotation, that of its mount.
     """
-    setup, off = problem.readings.setup, []
+    setup, turns = problem.readings.setup, []
     for s in np.unique(setup):
         own = np.flatnonzero((setup == s) & np.isfinite(rotations[:, 0, 0]))[:POSES_LOOKED_AT]
         a, b = np.triu_indices(len(own), 1)
-        turns = (to_vector(np.swapaxes(R[own[a]], 1, 2) @ R[own[b]]) for R in (rotations, drawn))
-        read, made = (np.linalg.norm(turn, axis=1) for turn in turns)
-        off.append(np.abs(read - made))
-    return float(np.median(np.concatenate(off)))
-
-
-def turns_alike(first: Fit) -> None:
-    """Raise an InputError where measured rotations agree with the machine as turns about axes, not as vectors.
-
-    The machine is the robot file's: one that was fitted to such rotations has bent to them.
-    """
-    problem, found = first.problem, first.problem.readings
-    if not turned(first) or found.rotations is None or not {3, 4, 5} <= {*found.components}:
-        return
-    drawn = problem.solve(problem.reference).x[found.rows[:, 0], 3:].reshape(-1, 3, 3)
-    off, recording, read = _apart(found.rotations, drawn, problem), problem.recording, np.isfinite(found.rotations)
-    angles = recording.measured[found.rows[:, 0]][:, [recording.columns.index(name) for name in ROTATION]]
-    tried = {order: np.full(found.rotations.shape, np.nan) for order in map("".join, itertools.permutations("xyz"))}
-    for order, rotations in tried.items():
-        rotations[read[:, 0, 0]] = from_turns(order, angles[read[:, 0, 0]])
-    left = {order: _apart(rotations, drawn, problem) for order, rotations in tried.items()}
-    best = min(left, key=lambda order: left[order])
-    if left[best] < TURNED * off:
-        raise InputError(
-            f"rx_deg, ry_deg, rz_deg are no rotation vectors: from pose to pose they turn by {off / DEG:.2g} deg more "
-            f"or less than the machine. As angles of turns about the instrument's axes, one after the other, it is "
-            f"{left[best] / DEG:.2g} deg.",
-            f'Say so under [measurement] in the sidecar: rotation = "{best}".',
-            file=recording.path,
-        )
+        turns.append([to_vector(np.swapaxes(R[own[a]], 1, 2) @ R[own[b]]) for R in (drawn, rotations)])
+    made, told = (np.concatenate(each) for each in zip(*turns, strict=True))
+    return _aligned(made, told)[1] if len(told) else 0.0
