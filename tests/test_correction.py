@@ -100,6 +100,7 @@ def test_a_local_misfit_is_corrected_where_it_sits(robot: Robot) -> None:
     assert found["verdict"] == "unexplained"
     assert found["correction"]["depends_on"] == ["position"]
     assert found["correction"]["limbs"] == []
+    assert "lowers the error of held-out readings" in found["summary"]
     fresh = dented(robot, 9, sigma=0.0)
     assert error(found, fresh) < 0.65 * error(without(found), fresh)
 
@@ -191,6 +192,7 @@ def test_heights_are_predicted_as_the_page_says() -> None:
     read, between = probed(printer, grid(step=10.0), 0.005), probed(printer, grid(radius=95.0, step=9.3))
     found: dict[str, Any] = json.loads(diagnose(printer, read).answer().to_json())
     told = found["correction"]["heldout_rms_mm"]
+    assert "of readings held out row by row" in found["summary"]  # the table's are held out with their neighbours
     assert told["before"] > 0.02
     assert told["after"] < 0.008
     assert error(found, read) < 1.1 * told["after"]

@@ -529,8 +529,9 @@ def _corrected(found: Diagnosed) -> str:
         if found.final.repeats.rows > 1:
             most += " Rows that follow one another are alike: only the same poses on another day tell joints from time."
     aside = ", gross errors left out," if len(found.final.gross) else ""
+    judged = "readings held out row by row" if made.row_by_row else "held-out readings"  # or with their neighbours
     return (
-        f"A smooth correction by {on}, without physics, lowers the error of held-out readings{aside} from "
+        f"A smooth correction by {on}, without physics, lowers the error of {judged}{aside} from "
         f"{decimals(before)} to {decimals(after)} mm; predictions use it where {where} as in this recording.{most}"
     )
 

@@ -116,6 +116,8 @@ class Correction:
         Source errors [mm, rad].
     heldout : (float, float)
         RMS [mm] of readings that took part neither in the fit nor in its choices, without and with the correction.
+    row_by_row : bool
+        Whether these were held out without the rows around them, whose noise may hang together with theirs.
     size : float
         RMS [mm] by which it moves the readings beyond what geometry would make up for.
     each : tuple of float
@@ -127,6 +129,7 @@ class Correction:
     terms: tuple[Term, ...]
     instrument: Instrument
     heldout: tuple[float, float]
+    row_by_row: bool
     size: float
     each: tuple[float, ...]
 
@@ -190,6 +193,8 @@ class BorneOut:
         That they were chosen beside.
     without, corrected : (R, k) array
         Errors [mm, rad] of held-out readings; nan of gross errors.
+    row_by_row : bool
+        Whether neighbours, whose noise may hang together with theirs, were not held out with them.
     """
 
     at: Fit
@@ -197,6 +202,7 @@ class BorneOut:
     option: _Option
     without: Array
     corrected: Array
+    row_by_row: bool
 
     @property
     def heldout(self) -> tuple[float, float]:
@@ -220,6 +226,7 @@ class BorneOut:
             terms=whole.problem.acting(fitted.errors),
             instrument=fitted.instrument,
             heldout=self.heldout,
+            row_by_row=self.row_by_row,
             size=rms(lengths(by_functions, kind)),
             each=tuple(rms(lengths(moved, kind)) for moved in self.option.moved(step[len(base) :])),
         )
@@ -237,9 +244,8 @@ def borne_out_beside(at: Fit, left: Sequence[Structure]) -> BorneOut | None:
     left : sequence of Structure
         What is left of the fit, the strongest first.
     """
-    if (
-        at.repeats.rows > 1
-    ):  # along a path functions of the joints hang together as noise does, which then stands for them
+    # along a path functions of the joints hang together as noise does, which then stands for them
+    if alike := at.repeats.rows > 1:
         at = rows_alone(at)
         left = structures(at)
     parts = folds(at.problem.readings, at.problem.recording)
@@ -261,7 +267,7 @@ def borne_out_beside(at: Fit, left: Sequence[Structure]) -> BorneOut | None:
         without[test] = linear.errors(linear.step(None, {k}), None, test)
         corrected[test] = _predicted(at, linear, linear.best(options, {k}), k, train, test, without[test])
     without[linear.weights == 0] = corrected[linear.weights == 0] = np.nan
-    made = BorneOut(at, linear, option, without, corrected)
+    made = BorneOut(at, linear, option, without, corrected, alike)
     poses = stands(found, at.problem.recording)
     _, some, pose = np.unique(poses, return_index=True, return_inverse=True)  # not every pose was read
     order = np.argsort(sequence(found, at.problem.recording)[some], kind="stable")
