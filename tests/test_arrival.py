@@ -529,6 +529,15 @@ def test_a_tracker_that_lost_its_target_is_told_by_lines(arm: Robot) -> None:
     assert identify(arm, dataclasses.replace(readings, measured=blanked)).answer().train_rms_mm < 3 * SIGMA
 
 
+def test_joints_that_were_logged_of_another_machine_are_told(arm: Robot) -> None:
+    """They stand, but for a count of their encoders, while what is read moves."""
+    rng = np.random.default_rng(2)
+    readings = recorded(arm, wide(rng, 60, 1.2), size=0.1)
+    still = readings.joints[0] + 1e-6 * rng.standard_normal(readings.joints.shape)
+    with pytest.raises(InputError, match=r"spread over \d+ mm, yet at the joints .* no more than 0\.00\d+ mm"):
+        identify(arm, dataclasses.replace(readings, joints=still))
+
+
 @pytest.mark.parametrize(("longer", "declared"), [(129.0, True), (129.0, False), (160.0, True)])
 def test_a_machine_of_other_lengths_is_fitted_and_told_instead_of_noise_of_millimetres(
     longer: float, declared: bool

@@ -192,6 +192,7 @@ def plausible(first: Fit) -> None:
             file=problem.recording.path,
         )
     _stood_still(problem)
+    _joints_stood_still(first)
     if off > NONSENSE * spread:
         raise InputError(
             f"the readings are {off:.3g} mm off this machine, {off / spread:.0%} of what its poses spread over: more "
@@ -272,6 +273,28 @@ def _stood_still(problem: Problem) -> None:
         file=problem.recording.path,
         line=int(found.line[start + 1]),
     )
+
+
+def _joints_stood_still(first: Fit) -> None:
+    """Raise an InputError where what was measured moved, set-up by set-up, and the machine at these joints did not."""
+    found = first.problem.readings
+    if not found.kind.positions or found.rows.shape[1] > 1:
+        return
+    points, read = first.machine.x[found.rows[:, 0], :3], found.values[:, :3]
+    moved, seen = (_spread_within(found.setup, each) for each in (points, read))
+    if moved < NONSENSE * seen:
+        raise InputError(
+            f"the readings spread over {seen:.3g} mm, yet at the joints beside them the machine moves by no more than "
+            f"{moved:.2g} mm: these are not the joints at which it was read.",
+            "Log the joints of this machine anew at every reading.",
+            file=first.problem.recording.path,
+        )
+
+
+def _spread_within(setup: Array, points: Array) -> float:
+    """Return what points (R, 3) spread over about the mean of their own set-up, whose frame is its own [mm]."""
+    own = [points[setup == s] for s in np.unique(setup)]
+    return float(np.sqrt(sum(float(np.nansum((each - np.nanmean(each, axis=0)) ** 2)) for each in own) / len(points)))
 
 
 def _read_at_all(first: Fit, off: float) -> None:
