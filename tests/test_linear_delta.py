@@ -241,6 +241,21 @@ def test_a_session_of_seven_heights_names_no_physics_and_says_why(printer: Robot
     assert all("at least 25 readings" in t["missing"] for t in found["not_tested"])
 
 
+@pytest.mark.parametrize("radius", [95.0, 180.0])
+def test_a_wrong_radius_is_told_by_few_heights(radius: float, printer: Robot, rng: np.random.Generator) -> None:
+    """Fewer than two heights to a parameter, which noise of decimetres would otherwise explain."""
+    done = simulate(printer, recording(printer, grid(100, 28)), {"endstop_1": 0.4}, noise_mm=0.01, rng=rng)
+    assert len(done.joints) < 2 * 21
+    wrong = robot_from_dict(PRINTER | {"geometry": PRINTER["geometry"] | {"radius": radius}})
+    answer = identify(wrong, done).answer()
+    [doubt] = answer.doubts or ()
+    assert "radius" in doubt
+    assert answer.train_rms_mm < 0.05
+    summary = commands.diagnose(wrong, done)["summary"]
+    assert "farther from the robot file" in summary
+    assert "leaves no more" not in summary
+
+
 def test_heights_and_distances_count_each_with_its_own_noise(printer: Robot, rng: np.random.Generator) -> None:
     heights = grid(90, 30)
     printed = rng.uniform([-70, -70, 2], [70, 70, 30], (40, 3))

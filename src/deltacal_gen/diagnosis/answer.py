@@ -96,6 +96,7 @@ class Diagnosed:
     laws: tuple[Lawful, ...] = ()
     turned: str = ""
     doubts: tuple[str, ...] = ()
+    redrawn: bool = False  # `robot` is drawn as the readings want it, not as its file does
 
     @property
     def short(self) -> bool:
@@ -538,7 +539,8 @@ def _corrected(found: Diagnosed) -> str:
 
 def _use_of(found: Diagnosed) -> str:
     """Return what to do with a machine to which nothing is missing."""
-    vain = needless(filed_rms(found.final), found.heldout[0]) if found.final.problem.names else ""
+    asked = found.final.problem.names and not found.redrawn
+    vain = needless(filed_rms(found.final), found.heldout[0]) if asked else ""
     return vain or "Use the calibrated machine."
 
 

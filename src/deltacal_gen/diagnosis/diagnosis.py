@@ -110,13 +110,12 @@ def diagnose(
     calm = _in_noise(begun, progress)
     first, found, sought = (*calm, Sought()) if lean else _by_law((first, white), calm, progress)
     sought = _less_sign(sought, found)
-    some, search, left, unexplained = found.problem, found.search, found.left, found.unexplained
-    spectrum = found.spectrum
+    search, left, unexplained, spectrum = found.search, found.left, found.unexplained, found.spectrum
     if lawful := sought.laws:
         search, left, unexplained = Search(lawful[0].fit, search.terms), structures(lawful[0].fit), False
     smooth = borne_out_beside(search.fit, left) if unexplained else None
     if smooth is not None and spectrum is None:
-        search, left, smooth = _without_orders(some, search, left, smooth)
+        search, left, smooth = _without_orders(found.problem, search, left, smooth)
     # what comes near its price, or is not borne out, is no finding, but worth a measurement
     doubtful = [] if lean else hinted(search, AMBIGUOUS)
     doubtful += outweighed(search, white.search, doubtful, AMBIGUOUS)
@@ -124,7 +123,7 @@ def diagnose(
     del begun, white, calm  # columns of all forms, which take more memory than all readings
     progress(f"fit of all {len(problem.readings)} readings")
     baseline, current, spectrum = _of_all(problem, first, search.fit, spectrum)
-    search = _without_refuted(some, search, current)
+    search = _without_refuted(found.problem, search, current)
     current = _as_is_known(problem, current, lawful)
     unexplained |= _left_beside(lawful, current)
     heldout = heldout if spectrum is None else (heldout[0], spectrum.heldout[1])
@@ -157,6 +156,7 @@ def diagnose(
         laws=lawful,
         turned=turned_of(robot, found.considered) if lawful or unexplained or any(n.turned for n in named) else "",
         doubts=(*doubt, *checks.doubted(problem, current)),
+        redrawn=bool(doubt),
     )
 
 

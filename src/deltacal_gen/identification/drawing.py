@@ -7,12 +7,13 @@ import dataclasses
 import numpy as np
 
 from deltacal_gen.errors import NoSolutionError
-from deltacal_gen.estimation.fit import fit
+from deltacal_gen.estimation.fit import fit, held_out
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.prior import unsaid, with_prior
 from deltacal_gen.estimation.residuals import lengths, rms
 from deltacal_gen.estimation.solvers import LeastSquares, Prior
 from deltacal_gen.files.robot import robot_size
+from deltacal_gen.identification.folds import folds
 from deltacal_gen.identification.noise import coordinate_sigma, noise
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.results.parts import Source
@@ -23,23 +24,30 @@ ANOTHERS = 0.1  # of what the drawn machine leaves: one that leaves less is the 
 FARTHEST = 3  # parameters that are told of it
 WIDER = (10.0, 100.0)  # times what drawings leave open: where another machine is looked for
 ABOVE_NOISE, ABOVE_SIZE = 10.0, 1e-3  # of the noise, or of the machine where noise is not known: what asks for it
-SPARE = 2.0  # scalars to a parameter, with fewer of which any machine explains them
+SPARE = 2.0  # scalars to a parameter: fewer any machine explains, and those held out decide
+FORETOLD = 0.5  # of the error of those: what another machine may leave
 
 
 def as_read(at: Fit, *, robust: bool = True) -> Fit | None:
     """Return the fit of a machine far from the robot file that explains ten times as much; None where there is none.
 
     A rod that is a decimetre longer than drawn is so incredible that a fit whose noise is open believes in noise of
-    centimetres instead. Readings whose noise is known, or that leave what no stiff machine does, are asked whether
-    another machine gives them.
+    centimetres instead. Readings whose noise is known, if roughly, or that leave what no stiff machine does, are
+    asked whether another machine gives them.
     """
     problem, count = at.problem, len(at.problem.names)
-    if problem.readings.kind.sees_joints or problem.readings.n_scalars < SPARE * count or not count:
+    if problem.readings.kind.sees_joints or not count:
         return None
-    known, left = noise(at, problem.recording), coordinate_sigma(at)
-    size = robot_size(problem.robot)
-    if left < (ABOVE_SIZE * size if known.source is Source.RESIDUAL else ABOVE_NOISE * known.sigma):
+    known, kind = noise(at, problem.recording), problem.readings.kind
+    if known.source is not Source.RESIDUAL:
+        most = ABOVE_NOISE * known.sigma
+    elif kind.probed:
+        most = ABOVE_NOISE * (kind.usual_noises or (kind.usual_noise,))[0]  # of heights, distances stand beside them
+    else:
+        most = ABOVE_SIZE * robot_size(problem.robot)
+    if coordinate_sigma(at) < most:
         return None
+    few = problem.readings.n_scalars < SPARE * count
     drawn, said = with_prior(problem.with_names(problem.names), problem.robot)
     for wider in WIDER:
         scale = problem.scale.copy()
@@ -49,9 +57,15 @@ def as_read(at: Fit, *, robust: bool = True) -> Fit | None:
             other = fit(wide, Prior(), errors=at.errors, instrument=at.instrument, robust=robust, must_converge=False)
         except NoSolutionError:
             continue
-        if other.rms() < ANOTHERS * at.rms():
+        if other.rms() < ANOTHERS * at.rms() and not (few and not _foretells(other, at)):
             return other
     return None
+
+
+def _foretells(other: Fit, at: Fit) -> bool:
+    """Tell whether another machine foretells readings held out, where these are so few that it explains any of them."""
+    parts = folds(at.problem.readings, at.problem.recording)
+    return held_out(other, Prior(), parts) < FORETOLD * held_out(at, Prior(), parts)
 
 
 def in_file(at: Fit) -> Array:
