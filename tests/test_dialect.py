@@ -192,3 +192,45 @@ def test_moments_are_seconds(
     found = read(tmp_path, f"pose,q1_deg,q2_deg,q3_deg,x_mm,y_mm,z_mm,{name}\n{rows}").time_s
     assert (found is None) == (seconds is None)
     assert seconds is None or found == pytest.approx(np.array(seconds), abs=1e-6, nan_ok=True)
+
+
+QUATERNION = "pose,q1_deg,q2_deg,q3_deg,x_mm,y_mm,z_mm,{}\na,1,2,3,4,5,-800,{}\nb,1,2,3,4,5,-801,,,,\n"
+
+
+@pytest.mark.parametrize(
+    ("names", "cells"),
+    [
+        ("qx,qy,qz,qw", "0,0.6,0,0.8"),
+        ("qw,qx,qy,qz", "-0.8,0,-0.6,0"),
+        ("Quat_X,Quat_Y,Quat_Z,Quat_W", "0,0.6,0,0.8"),
+        ("orientation.x,orientation.y,orientation.z,orientation.w", "0,0.6,0,0.8"),
+        ("tool_q_w,tool_q_x,tool_q_y,tool_q_z", "0.798,0,0.602,0"),
+    ],
+)
+def test_a_quaternion_is_a_rotation(tmp_path: Path, names: str, cells: str) -> None:
+    recording = read(tmp_path, QUATERNION.format(names, cells))
+    assert (recording.kind, recording.channels) == ("pose", {})
+    assert recording.measured[0, 3:] / DEG == pytest.approx([0, 2 * np.degrees(np.arcsin(0.6)), 0], abs=0.5)
+    assert np.isnan(recording.measured[1, 3:]).all()
+
+
+@pytest.mark.parametrize("names", ["qx,qy,qz,remark", "a_qx,a_qy,b_qz,b_qw", "ax,ay,az,aw"])
+def test_what_may_be_a_quaternion_is_none(tmp_path: Path, names: str) -> None:
+    recording = read(tmp_path, QUATERNION.format(names, "0,0.6,0,0.8"))
+    assert (recording.kind, list(recording.channels)) == ("position", names.split(","))
+
+
+def test_numbers_that_are_no_quaternion_are_named(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match=r"line 2, column 'qx': .* the length 1, this one 1\.9"):
+        read(tmp_path, QUATERNION.format("qx,qy,qz,qw", "1,1,1,0.8"))
+    (tmp_path / "recording.toml").write_text('[measurement]\nrotation = "xyz"\n')
+    with pytest.raises(InputError, match="is an order of turns, but the rotation here is a quaternion"):
+        read(tmp_path, QUATERNION.format("qx,qy,qz,qw", "0,0.6,0,0.8"))
+
+
+def test_a_quaternion_says_how_a_platform_shall_stand(tmp_path: Path) -> None:
+    path = tmp_path / "targets.csv"
+    path.write_text("x_mm,y_mm,z_mm,qx,qy,qz,qw\n400,0,500,0,1,0,0\n")
+    asked = read_recording(path, load_mechanism("hexapod"), need_measured=False, allow_targets=True).targets
+    assert asked is not None
+    assert asked[0, 3:].reshape(3, 3) == pytest.approx(np.diag([-1.0, 1, -1]), abs=1e-9)

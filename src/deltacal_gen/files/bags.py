@@ -18,6 +18,7 @@ from pydantic import Field
 
 from deltacal_gen.errors import DeltacalError, InputError, UsageError
 from deltacal_gen.files.imports import Imported, write_import
+from deltacal_gen.files.quaternions import rotation_vector
 from deltacal_gen.files.robot import read_robot
 from deltacal_gen.files.samples import Samples, imported, join, joint_units
 from deltacal_gen.files.toml import Table, TomlFile
@@ -216,17 +217,6 @@ def _body(message: Any) -> list[float]:
         place, turn = message.transform.translation, message.transform.rotation
     xyz = [1000.0 * getattr(place, axis) for axis in "xyz"]
     return [*xyz, *rotation_vector(np.array([[getattr(turn, axis) for axis in "xyzw"]]))[0]]
-
-
-def rotation_vector(quaternions: Array) -> Array:
-    """Return rotation vectors (N, 3) [rad] of quaternions (N, 4), x y z w; nan where one has no length."""
-    from scipy.spatial.transform import Rotation
-
-    out = np.full((len(quaternions), 3), np.nan)
-    turned = np.linalg.norm(quaternions, axis=1) > 0  # false where there are no numbers
-    if turned.any():
-        out[turned] = Rotation.from_quat(quaternions[turned]).as_rotvec()
-    return out
 
 
 # ------------------------------------------------------------------------------------------------------------- units

@@ -13,9 +13,9 @@ from pathlib import Path
 import numpy as np
 
 from deltacal_gen.errors import InputError, UsageError
-from deltacal_gen.files.bags import rotation_vector
 from deltacal_gen.files.imports import Imported, write_import
 from deltacal_gen.files.points import LENGTHS, joints_in_time
+from deltacal_gen.files.quaternions import rotation_vector
 from deltacal_gen.files.rows import number_of
 from deltacal_gen.files.samples import Samples, imported, join
 from deltacal_gen.files.toml import read_text

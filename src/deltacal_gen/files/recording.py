@@ -32,6 +32,7 @@ from deltacal_gen.files.columns import (
 )
 from deltacal_gen.files.dialect import LOOKED_AT
 from deltacal_gen.files.logged import put_right
+from deltacal_gen.files.quaternions import with_vectors
 from deltacal_gen.files.rows import Rows, csv_blocks, number_of, parquet_blocks, read_csv, read_table
 from deltacal_gen.files.sidecar import Sidecar, measurement_of, read_sidecar
 from deltacal_gen.files.toml import TomlFile
@@ -216,7 +217,7 @@ def _recording(
     """Return the rows of a file as a recording."""
     measurement = measurement_of(sidecar)
     pairs, rows = _pairs_and_rows(path, rows)
-    targets = None
+    rows, targets = with_vectors(rows, measurement.rotation, mechanism.axes), None
     axes = tuple(f"{axis}_mm" for axis in mechanism.axes)
     has_joints = any(_JOINT_LIKE.match(name) for name in rows.columns)
     if allow_targets and not has_joints and set(axes) & set(rows.columns):
