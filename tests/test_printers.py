@@ -193,6 +193,18 @@ def test_a_wrong_step_length_is_named_with_the_one_that_fits(tmp_path: Path, pri
         import_klipper(file)
 
 
+@pytest.mark.parametrize("wrong", [8, 32])
+def test_wrong_microsteps_are_named_before_a_first_calibration(wrong: int, tmp_path: Path, printer: Robot) -> None:
+    """The bed of such a printer is bent by more than a millimetre with the right steps, too."""
+    heights = joints(printer, grid(80, 40, Z_OFFSET), {"endstop_1": 1.5, "radius_2": 0.8})
+    file, right = tmp_path / "printer.cfg", printer_cfg(printer, heights, [])
+    file.write_text(right)
+    import_klipper(file)
+    file.write_text(right.replace("microsteps: 16", f"microsteps: {wrong}"))
+    with pytest.raises(InputError, match=r"steps of 0\.0125 mm, of a pulley of 40 mm a turn, fit"):
+        import_klipper(file)
+
+
 @pytest.mark.parametrize(("kinematics", "words"), [("rotary_delta", "arms that turn"), ("winch", "cables")])
 def test_near_relations_of_klipper_are_refused_by_name(tmp_path: Path, kinematics: str, words: str) -> None:
     file = tmp_path / "printer.cfg"

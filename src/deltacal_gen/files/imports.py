@@ -165,11 +165,7 @@ def _usual_step(robot: Robot, heights: list[_Height], path: Path) -> tuple[float
     problem = "the positions are in motor steps, but [stepper_a] does not say how long a step is"
     if not heights:
         raise InputError(f"{problem}, and there are no heights to tell by.", remedy, file=path)
-    fitting = sorted(
-        (left, step, PITCH * teeth)
-        for teeth, doubled in itertools.product(USUAL_TEETH, range(-1, 9))
-        if np.isfinite(left := _bent(robot, heights, step := PITCH * teeth / (FULL_STEPS * 2.0**doubled)))
-    )
+    fitting = _usual_steps(robot, heights)
     if not fitting or fitting[0][0] > EDITED:
         raise InputError(f"{problem}, and that of no usual pulley fits.", remedy, file=path)
     if len(fitting) > 1 and fitting[1][0] < CLEARLY * fitting[0][0]:
@@ -180,6 +176,15 @@ def _usual_step(robot: Robot, heights: list[_Height], path: Path) -> tuple[float
         belt,
         f"the file does not say how long a motor step is; {step:g} mm puts the probed points at their heights, as of a "
         f"pulley of {belt:g} mm a turn, which is taken. Correct pulley_circumference in robot.toml if it is another.",
+    )
+
+
+def _usual_steps(robot: Robot, heights: list[_Height]) -> list[tuple[float, float, float]]:
+    """Return how bent the bed comes out with the step of each usual pulley, the step and its turn [mm], best first."""
+    return sorted(
+        (left, step, PITCH * teeth)
+        for teeth, doubled in itertools.product(USUAL_TEETH, range(-1, 9))
+        if np.isfinite(left := _bent(robot, heights, step := PITCH * teeth / (FULL_STEPS * 2.0**doubled)))
     )
 
 
@@ -201,22 +206,32 @@ def _heights_off(robot: Robot, heights: list[_Height], step: float | Array) -> A
 
 
 def _check_step(robot: Robot, heights: list[_Height], step: Array, path: Path) -> None:
-    """Raise an InputError where steps put the bed bent and far off, and those of a usual pulley do not."""
-    if not heights or _bent(robot, heights, step) <= EDITED:
-        return
-    off = _heights_off(robot, heights, step)
-    if off is not None and abs(np.median(off)) <= WRONG_STEP:
+    """Raise an InputError where steps put the bed bent and far off, and those of one usual pulley do not.
+
+    A printer that was never calibrated has a bed that is bent with the right steps, too, but in its place.
+    """
+    if not heights or (bent := _bent(robot, heights, step)) <= EDITED or _placed(robot, heights, step):
         return
     try:
         usual, belt, _ = _usual_step(robot, heights, path)
     except InputError:
-        return
+        most = min(bent / CLEARLY, WRONG_STEP)
+        better = [own for own in _usual_steps(robot, heights) if own[0] < most and _placed(robot, heights, own[1])]
+        if len(better) != 1:
+            return
+        [(_, usual, belt)] = better
     raise InputError(
         f"with steps of {step[0]:g} mm the bed comes out bent and far off, and all distances are off by one factor of "
         f"{usual / step[0]:.3g}; steps of {usual:g} mm, of a pulley of {belt:g} mm a turn, fit.",
         "Correct rotation_distance or microsteps.",
         file=path,
     )
+
+
+def _placed(robot: Robot, heights: list[_Height], step: float | Array) -> bool:
+    """Tell whether steps put the bed where a calibration may have to correct it."""
+    off = _heights_off(robot, heights, step)
+    return off is not None and abs(float(np.median(off))) <= WRONG_STEP
 
 
 def map_recording(robot: Robot, nozzle: Array, z: Array, trigger: float, path: Path) -> Recording:
