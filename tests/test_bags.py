@@ -204,7 +204,7 @@ def test_any_message_by_a_mapping(tmp_path: Path) -> None:
 
 def test_a_joint_that_slides_is_counted_in_metres(tmp_path: Path) -> None:
     links = ('"revolute"', '"revolute"', '"prismatic"')
-    each = "".join(f"[[joint]]\nkind = {k}\na = 1.0\nalpha = 0.0\nd = 0.0\ntheta = 0.0\n" for k in links)
+    each = "".join(f"[[joint]]\nkind = {k}\na = 100.0\nalpha = 0.0\nd = 0.0\ntheta = 0.0\n" for k in links)
     (tmp_path / "robot.toml").write_text(f'[robot]\nname = "arm"\nmechanism = "serial"\n{each}')
     recording = dc.import_bag(ros2(tmp_path, way), tmp_path / "robot.toml").recordings["recording"]
     assert recording.joint_unit == "rad,rad,mm"

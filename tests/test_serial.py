@@ -321,3 +321,24 @@ def test_displacements_lead_from_pose_to_pose() -> None:
     x = np.hstack([np.zeros((1, 3)), np.eye(3).ravel()[None]])
     step = np.array([1.0, 2.0, 3.0, 0.1, -0.2, 0.3])
     assert displacement(x, displaced(x, step))[0] == pytest.approx(step)
+
+
+@pytest.mark.parametrize(
+    ("key", "scale", "said"),
+    [
+        ("alpha", DEG, r"look like radians \(1.5708 is among them\)"),
+        ("a", 1e-3, r"the lengths in \[\[joint\]\] look like metres \(the largest is 0.4\)"),
+        ("a", 1e3, "look like micrometres"),
+    ],
+)
+def test_tables_in_other_units_are_refused(key: str, scale: float, said: str) -> None:
+    """As they stand in URDF and in papers: a chain of radians was one whose readings were 350 mm off."""
+    other = {"alpha": "theta", "a": "d"}[key]
+    links = [link | {k: round(link.get(k, 0.0) * scale, 4) for k in (key, other)} for link in ARM]
+    with pytest.raises(InputError, match=said):
+        robot(links)
+
+
+def test_small_twists_and_short_slides_are_drawings() -> None:
+    robot([link | {"alpha": link.get("alpha", 0.0) + 1.57} for link in ARM])
+    robot([{"kind": "prismatic", "d": 2.0}, {"kind": "prismatic", "alpha": 90.0}, {"kind": "revolute", "a": 1.5}])

@@ -386,7 +386,8 @@ def _shape(found: Diagnosed, fundamental: Named) -> str:
     if not harmonics:
         travel = travelled(found.final.problem)
         seen = order_of(term) >= lowest_repeating(min(travel[i - 1] for i in term.limbs))
-        return "" if seen else ", which was not seen to repeat: any smooth function of that joint may be it"
+        of = "that joint" if len(term.limbs) == 1 else "each of these joints"
+        return "" if seen else f", which was not seen to repeat: any smooth function of {of} may be it"
     orders = ", ".join(f"{order:g}" for order in harmonics)
     return f", no sine: {order_of(fundamental.term):g} periods a turn, with harmonics {orders}"
 

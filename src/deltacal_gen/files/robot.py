@@ -36,6 +36,7 @@ if TYPE_CHECKING:
 
 TABLES = (".csv", ".parquet", ".xlsx", ".txt")  # endings of recordings
 SHORTEST_MACHINE = 2.0  # mm; a machine whose longest length is below this was written down in metres
+ROUNDED = 5e-3  # by which a right angle in radians may be: 1.57
 LONGEST_LINK = 20_000.0  # mm; a length above this was written down in micrometres
 
 
@@ -318,6 +319,7 @@ def _robot(file: TomlFile, load: Loader | None) -> Robot:
     if mechanism.linked:
         if not links:
             raise file.error("the chain has no links.", "Add one table [[joint]] for each, from the base.", "robot")
+        _check_chain(file, named.joint)
         for name, kind in _LINK_UNITS.items():
             geometry[name] = np.array([getattr(joint, name) for joint in named.joint]) * to_internal(kind)
     else:
@@ -507,3 +509,25 @@ def _check_directions(file: TomlFile, mechanism: Machine, tables: Mapping[str, M
                 key.table,
                 key.key,
             )
+
+
+def _check_chain(file: TomlFile, joints: Sequence[_Joint]) -> None:
+    """Refuse right angles in radians, and lengths in metres or micrometres."""
+    angles = np.abs([(joint.alpha, joint.theta) for joint in joints])
+    off = np.abs(angles - math.pi / 2 * np.round(angles / (math.pi / 2)))
+    right = (off < ROUNDED) & (angles > 1.0)
+    if right.any() and angles.max() <= 2 * math.pi + ROUNDED:
+        raise file.error(
+            f"the angles in [[joint]] look like radians ({angles[right][0]:g} is among them); the file is in degrees.",
+            "Multiply alpha and theta by 180 / pi.",
+            "joint",
+        )
+    longest = max(max(abs(joint.a), abs(joint.d)) for joint in joints)
+    short = 0 < longest < SHORTEST_MACHINE and all(joint.kind != "prismatic" for joint in joints)
+    if short or longest > LONGEST_LINK:
+        unit, factor = ("metres", "Multiply by") if short else ("micrometres", "Divide by")
+        raise file.error(
+            f"the lengths in [[joint]] look like {unit} (the largest is {longest:g}); the file is in millimetres.",
+            f"{factor} 1000.",
+            "joint",
+        )
