@@ -102,17 +102,18 @@ def fit(
         rows = _Rows(problem, start.instrument, robust, repeats, weigh_repeats, drop_gross)
         return _Iteration(problem, rule, rows, tolerance).run(start, must_converge, follow), rows
 
-    if instrument is not None:
-        found, rows = ended(State(errors, instrument, machine), must_converge)
-        return _beside(found, rows, rule, tolerance, ended)
-    found, rows = ended(State(errors, problem.begin(errors, machine), machine), must_converge)
-    found = _beside(found, rows, rule, tolerance, ended)
-    own = slice(len(problem.scale), None)
-    others = turned(problem, State(found.errors, found.instrument, found.machine), found.covariance[own, own])
-    others += [] if drawn else _begun(problem, errors, problem.reference)
-    others += _begun(problem, errors, 2 * problem.reference - found.errors) if left_to_a_side(found) else []
-    ends = [found, *(ended(start, False)[0] for start in others)]
-    return min(ends, key=lambda end: rows.objective(end, rule.weight or 0.0)) if others else found
+    begun = problem.begin(errors, machine) if instrument is None else instrument
+    found, rows = ended(State(errors, begun, machine), must_converge)
+    found, others = _beside(found, rows, rule, tolerance, ended), []
+    if instrument is None:
+        own = slice(len(problem.scale), None)
+        others += turned(problem, State(found.errors, found.instrument, found.machine), found.covariance[own, own])
+        others += [] if drawn else _begun(problem, errors, problem.reference)
+    # of a search the first fit looks there, and effects keep their sign
+    if (instrument is None or tolerance <= CONVERGED) and not problem.terms and left_to_a_side(found):
+        others += _begun(problem, errors, 2 * problem.reference - found.errors)
+    ends = [ended(start, False)[0] for start in others]
+    return min([found, *ends], key=lambda end: rows.objective(end, rule.weight or 0.0) + tolerance * (end is not found))
 
 
 def _beside(

@@ -178,10 +178,10 @@ def plausible(first: Fit) -> None:
         _of_these_joints(first, off)
         return
     _read_at_all(first, off)
-    turns_alike(first)
     points = first.machine.x[found.used, :3]
     spread = float(np.linalg.norm(points.std(axis=0)))
     if off < IMPLAUSIBLE * max(robot_size(problem.robot), spread):
+        turns_alike(first)
         _zeros(first)
         return
     _all_the_same(problem)
@@ -191,6 +191,7 @@ def plausible(first: Fit) -> None:
             "Correct the recording, its sidecar or the robot file.",
             file=problem.recording.path,
         )
+    turns_alike(first)
     _stood_still(problem)
     _joints_stood_still(first)
     if off > NONSENSE * spread:
