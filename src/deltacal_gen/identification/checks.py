@@ -294,8 +294,9 @@ def _joints_stood_still(first: Fit) -> None:
 
 def _spread_within(setup: Array, points: Array) -> float:
     """Return what points (R, 3) spread over about the mean of their own set-up, whose frame is its own [mm]."""
-    own = [points[setup == s] for s in np.unique(setup)]
-    return float(np.sqrt(sum(float(np.nansum((each - np.nanmean(each, axis=0)) ** 2)) for each in own) / len(points)))
+    own = [np.ma.masked_invalid(points[setup == s]) for s in np.unique(setup)]
+    squares = (((each - each.mean(axis=0)) ** 2).filled(0.0).sum() for each in own)
+    return float(np.sqrt(sum(squares) / len(points)))
 
 
 def _read_at_all(first: Fit, off: float) -> None:

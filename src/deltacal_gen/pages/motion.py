@@ -91,8 +91,8 @@ def motion(found: MotionResult | MotionDiagnosis) -> str:
     )
 
 
-def validation(found: MotionValidation, traces: Sequence[Trace], *, seen: bool = False) -> str:
-    """Return the page of a validation in motion; `seen` samples are those that the model was made of."""
+def validation(found: MotionValidation, traces: Sequence[Trace]) -> str:
+    """Return the page of a validation in motion."""
     each = zip(
         found.rms_by_joint,
         found.rms_by_joint_filtered,
@@ -105,7 +105,6 @@ def validation(found: MotionValidation, traces: Sequence[Trace], *, seen: bool =
         title="Validation in motion",
         found=found,
         headline=found.headline,
-        seen=seen,
         unshown=not_shown(found.unshown_by_joint),
         errors=[(str(j), *map(_figure, values), unit) for j, (*values, unit) in enumerate(each, 1)],
         noise="as declared" if found.noise.source == Source.DECLARED else "as the model's own recording left it",

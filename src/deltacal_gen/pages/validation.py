@@ -33,15 +33,14 @@ _ISO230 = {
 }
 
 
-def page(found: Validation, *, seen: bool = False) -> str:
-    """Return the page of a validation; `seen` readings are those that the calibration was made of."""
+def page(found: Validation) -> str:
+    """Return the page of a validation."""
     unit, length = shown_in(found)
     return report.page_of(
         "validation",
         title="Validation",
         found=found,
         headline=found.headline,
-        seen=seen,
         unit=unit,
         placed=[p.sentence for p in found.placed or ()],
         norms=norms(found.iso9283, found.iso230),

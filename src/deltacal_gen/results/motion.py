@@ -407,6 +407,8 @@ class MotionValidation(Answer):
     """Samples outside of the range in which a law was found; null where there is none."""
     unshown_by_joint: tuple[int, ...] = ()
     """Samples that ask of a joint what the recording of the model did not show."""
+    seen: Literal[True] | None = None
+    """The model was made of this very file, which is then no check of it; left out of other samples."""
     made: Made | None = None
 
     @property

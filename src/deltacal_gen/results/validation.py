@@ -118,6 +118,8 @@ class Validation(Answer):
     """Lines of points that were found wrongly in images, which no figure counts; left out of other readings."""
     outside_law: int | None = None
     """Rows outside the range in which a law of the diagnosis was found; left out where it has none."""
+    seen: Literal[True] | None = None
+    """The calibration was made of this very file, which is then no check of it; left out of other readings."""
     repairs: tuple[str, ...] | None = None
     """What was put right in a recording in motion, or left out of it, with its line."""
     iso9283: Iso9283 | None = None

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
 screen = Console(highlight=False)
 aside = Console(stderr=True, highlight=False)
+SEEN = "the calibration was made of these very readings: they are no check of it"
 
 RobotFile = Annotated[Path, typer.Argument(metavar="ROBOT", help="robot file (TOML)", show_default=False)]
 RecordingFile = Annotated[Path, typer.Argument(metavar="RECORDING", help="recording (CSV)", show_default=False)]
@@ -110,6 +111,8 @@ def show_any(found: Any, shown: Callable[[Any], None]) -> None:
 
     if isinstance(found, MotionModel | MotionValidation):
         screen.print(escaped(str(found)))
+        if isinstance(found, MotionValidation) and found.seen:
+            screen.print(SEEN)
         if isinstance(found, MotionValidation) and found.outside_law:
             screen.print(f"{found.outside_law} samples lie outside the range in which the law was found")
         if isinstance(found, MotionValidation) and (words := not_shown(found.unshown_by_joint)):

@@ -9,6 +9,7 @@ import typer
 from rich.table import Table
 
 from deltacal_gen.app.cli.common import (
+    SEEN,
     Blocks,
     Decimal,
     Json,
@@ -230,6 +231,8 @@ def _show_validation(found: Validation) -> None:
     from deltacal_gen.diagnosis.spectrum import words
 
     screen.print(escaped(found.headline))
+    if found.seen:
+        screen.print(SEEN)
     if found.gross_errors:
         screen.print(f"points found wrongly in lines {', '.join(map(str, found.gross_errors))}: no figure counts them")
     for p in found.placed or ():

@@ -6,7 +6,7 @@ import dataclasses
 import hashlib
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING, Literal, cast
 
 import numpy as np
 
@@ -343,12 +343,12 @@ def validate(result: Given, recording: AnyRecording, report: Source | None = Non
         return cast("Validation", _validated_in_motion(known, recording, report, made(result, recording)))
     robot = validation.calibrated_robot(known)
     given = as_known(known, recording, robot)
-    found = validation.validate(known, given).replace(made=made(result, recording, measured=given))
+    own = made(result, recording, measured=given)
+    found = validation.validate(known, given).replace(made=own, seen=_seen_before(own, known.made))
     if report is not None:
         from deltacal_gen.pages import validation as page
 
-        inputs, fitted = (of.inputs if of else () for of in (found.made, known.made))
-        write_files({Path(report): page.page(found, seen=_seen(inputs, fitted) is not None)})
+        write_files({Path(report): page.page(found)})
     return found
 
 
@@ -357,12 +357,11 @@ def _validated_in_motion(
 ) -> MotionValidation:
     """Return how far off a model is on a recording in motion, and write its page where one is asked for."""
     moving = _moving(recording)
-    found = moving.validate(known).replace(made=made_by)
+    found = moving.validate(known).replace(made=made_by, seen=_seen_before(made_by, known.made))
     if report is not None:
         from deltacal_gen.pages import motion as page
 
-        seen = _seen(made_by.inputs, known.made.inputs if known.made else ())
-        write_files({Path(report): page.validation(found, moving.drawn(known), seen=seen is not None)})
+        write_files({Path(report): page.validation(found, moving.drawn(known))})
     return found
 
 
@@ -376,7 +375,8 @@ def validate_blocks(result: Given, recording: Source) -> Validation:
     """
     from deltacal_gen.use import streams
 
-    return streams.validate(_of_rows(result), recording).replace(made=made(result, recording))
+    known, own = _of_rows(result), made(result, recording)
+    return streams.validate(known, recording).replace(made=own, seen=_seen_before(own, known.made))
 
 
 def _of_rows(result: Given) -> Result | Diagnosis:
@@ -466,6 +466,11 @@ def _check_unseen(own: tuple[InputFile, ...], fitted: tuple[InputFile, ...], val
             "Give readings that took no part in it.",
             file=validation,
         )
+
+
+def _seen_before(own: Made, fitted: Made | None) -> Literal[True] | None:
+    """Tell whether a fit was made of a file that is asked to check it."""
+    return True if fitted is not None and _seen(own.inputs, fitted.inputs) is not None else None
 
 
 def _seen(own: Sequence[InputFile], fitted: Sequence[InputFile]) -> str | None:
