@@ -33,7 +33,7 @@ STEERING = {
     "estimation.saddles": ("SEEN", "ASIDE", "LINEAR", "LOOKS"),
     "estimation.system": ("STRONG",),
     "estimation.steps": ("EASE", "WEAK", "FIRST", "TRUE", "MORE", "LONGER"),
-    "estimation.fit": ("CONVERGED", "ESTIMATED_AT", "CRAWLING", "CRAWLS"),
+    "estimation.fit": ("CONVERGED", "ESTIMATED_AT", "CRAWLING", "CRAWLS", "OPPOSITE"),
     "physics.following": ("STEP",),
     "identification.checks": ("MOST_TRIED",),
     "identification.noise": ("PROVEN", "MISTAKEN", "LEAST_EXCESS"),

@@ -40,6 +40,7 @@ CONVERGED = 1e-4  # of chi2: what a last step could still gain; parameters then 
 PATIENCE, SETTLED, UNSETTLED = 30, 5e-2, 1.0
 CRAWLING, CRAWLS = 5, 0.9  # steps in a row, after each of which so much of what was promised still is
 ESTIMATED_AT = 3  # iteration in which at the latest the weight of repeats is estimated: the fit is then close
+OPPOSITE = 0.1  # of what a fit left the drawing by: so near on its other side there is no third valley between
 ANY = 1e3  # ordinary errors: a prior of encoder offsets that never pulls
 FEW = 12  # lines that a message lists
 SPOILT = 30.0  # times the median residual: a reading so far off is named when a fit does not converge
@@ -111,7 +112,7 @@ def fit(
         others += [] if drawn else _begun(problem, errors, problem.reference)
     # of a search the first fit looks there, and effects keep their sign
     if (instrument is None or tolerance <= CONVERGED) and not problem.terms and left_to_a_side(found):
-        others += _begun(problem, errors, 2 * problem.reference - found.errors)
+        others += _begun(problem, errors, problem.reference - OPPOSITE * (found.errors - problem.reference))
     ends = [ended(start, False)[0] for start in others]
     return min([found, *ends], key=lambda end: rows.objective(end, rule.weight or 0.0) + tolerance * (end is not found))
 
