@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from conftest import plausible, rings, scattered, wanted
 
+import deltacal_gen as dc
 from deltacal_gen.errors import InputError
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.identification.identification import identify
@@ -137,6 +138,9 @@ def test_a_gauge_is_predicted_where_the_sidecar_says_it_stands(
         more = {"base_point_mm": (300.0, 10.0, -20.0), "zero": zero}
         fresh = measured(robot, truth, "gauge", scattered(robot, 6, 8), **more)
         assert predict(results["position"], fresh).measured == pytest.approx(fresh.measured, abs=1e-6)
+        told: list[str] = []
+        dc.predict(results["position"], fresh, tell=told.append)
+        assert any("changes from the first row" in words for words in told) == (zero == "incremental")
 
 
 def test_a_frame_that_is_not_known_is_not_invented(

@@ -265,6 +265,7 @@ def predict(
     `half`. They hold readings, noise included: sample by sample nobody tells that from what the model leaves out.
     """
     from deltacal_gen.diagnosis import spectrum
+    from deltacal_gen.instrument.kinds import kind_of
     from deltacal_gen.use import prediction
 
     check_output(output, result, recording, place)
@@ -286,6 +287,8 @@ def predict(
     for joint in spectrum.never_seen(known.seen, robot.joint_sign * given.joints):
         tell(spectrum.words(joint))
     done = prediction.predict(known, given, placed)
+    if kind_of(given.kind).in_differences(given.measurement):
+        tell('Values are changes from the first row, as the sidecar says (zero = "incremental").')
     for words in (prediction.told_of_events(known, given), in_words(prediction.beyond_laws(known, given), "rows")):
         if words is not None:
             tell(words)
