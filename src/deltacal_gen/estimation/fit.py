@@ -40,7 +40,7 @@ CONVERGED = 1e-4  # of chi2: what a last step could still gain; parameters then 
 PATIENCE, SETTLED, UNSETTLED = 30, 5e-2, 1.0
 CRAWLING, CRAWLS = 5, 0.9  # steps in a row, after each of which so much of what was promised still is
 ESTIMATED_AT = 3  # iteration in which at the latest the weight of repeats is estimated: the fit is then close
-OPPOSITE = 0.1  # of what a fit left the drawing by: so near on its other side there is no third valley between
+OPPOSITE = (0.03, 1.0)  # of what a fit left the drawing by: near on its other side, and as far; valleys may lie between
 ANY = 1e3  # ordinary errors: a prior of encoder offsets that never pulls
 FEW = 12  # lines that a message lists
 SPOILT = 30.0  # times the median residual: a reading so far off is named when a fit does not converge
@@ -99,8 +99,8 @@ def fit(
     machine = problem.solve(errors) if machine is None else machine
     rule = LeastSquares() if solver is None else solver
 
-    def ended(start: State, must_converge: bool, follow: bool = False) -> tuple[Fit, _Rows]:
-        rows = _Rows(problem, start.instrument, robust, repeats, weigh_repeats, drop_gross)
+    def ended(start: State, must_converge: bool, follow: bool = False, noise: Array | None = None) -> tuple[Fit, _Rows]:
+        rows = _Rows(problem, start.instrument, robust, repeats, weigh_repeats, drop_gross, noise)
         return _Iteration(problem, rule, rows, tolerance).run(start, must_converge, follow), rows
 
     begun = problem.begin(errors, machine) if instrument is None else instrument
@@ -112,8 +112,10 @@ def fit(
         others += [] if drawn else _begun(problem, errors, problem.reference)
     # of a search the first fit looks there, and effects keep their sign
     if (instrument is None or tolerance <= CONVERGED) and not problem.terms and left_to_a_side(found):
-        others += _begun(problem, errors, problem.reference - OPPOSITE * (found.errors - problem.reference))
-    ends = [ended(start, False)[0] for start in others]
+        for part in OPPOSITE:
+            others += _begun(problem, errors, problem.reference - part * (found.errors - problem.reference))
+    # with the noise that is known by now: taken for noise, what a start leaves would lead where this fit went
+    ends = [ended(start, False, noise=found.sigma)[0] for start in others]
     return min([found, *ends], key=lambda end: rows.objective(end, rule.weight or 0.0) + tolerance * (end is not found))
 
 
@@ -149,7 +151,9 @@ class _Rows:
         repeats: Repeats | None,
         weigh_repeats: bool,
         drop_gross: bool,
+        noise: Array | None = None,
     ) -> None:
+        self._begun = noise  # until a fit is close
         self._found, self._robust, self._drop_gross = problem.readings, robust, drop_gross
         self.estimated = repeats is None and weigh_repeats
         self.shared = Repeats(self._found.group) if repeats is None else repeats
@@ -165,7 +169,7 @@ class _Rows:
 
     def weigh(self, residual: Array, iteration: int, close: int) -> None:
         """Estimate noise and weights from residuals (R, k); what repeats share once, when the fit is close."""
-        self.sigma = self._noise(residual)
+        self.sigma = self._noise(residual) if self._begun is None or iteration >= close else self._begun
         drop = self._found.kind if self._drop_gross and iteration > close - self.later else None
         off = self.shared.off(residual)
         self.weights = robust_weights(off, self.sigma, drop) if self._robust else np.ones(len(residual))
