@@ -30,7 +30,7 @@ STEERING = {
     "estimation.turns": ("TURNED",),
     "estimation.directions": ("CHANCE", "FEWEST"),
     "estimation.series": ("LONGEST", "OWN_PRICE"),
-    "estimation.saddles": ("SEEN", "ASIDE", "LINEAR", "LOOKS"),
+    "estimation.saddles": ("SEEN", "ASIDE", "LINEAR", "LOOKS", "LEFT"),
     "estimation.system": ("STRONG",),
     "estimation.steps": ("EASE", "WEAK", "FIRST", "TRUE", "MORE", "LONGER"),
     "estimation.fit": ("CONVERGED", "ESTIMATED_AT", "CRAWLING", "CRAWLS", "OPPOSITE"),

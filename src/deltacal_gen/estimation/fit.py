@@ -60,6 +60,7 @@ def fit(
     drop_gross: bool = True,
     must_converge: bool = True,
     tolerance: float = CONVERGED,
+    across: bool = True,
 ) -> Fit:
     """Fit a machine's parameters and the instrument to readings, exactly.
 
@@ -86,6 +87,8 @@ def fit(
         Otherwise the last state is returned when the iteration does not end.
     tolerance : float
         What a last step may still gain of chi2.
+    across : bool
+        Begin on the other side of the drawing, too, where the fit left it to one side.
 
     Raises
     ------
@@ -111,11 +114,13 @@ def fit(
         others += turned(problem, State(found.errors, found.instrument, found.machine), found.covariance[own, own])
         others += [] if drawn else _begun(problem, errors, problem.reference)
     # of a search the first fit looks there, and effects keep their sign
-    if (instrument is None or tolerance <= CONVERGED) and not problem.terms and left_to_a_side(found):
+    across &= (instrument is None or tolerance <= CONVERGED) and not problem.terms
+    if across and left_to_a_side(found):
         for part in OPPOSITE:
             others += _begun(problem, errors, problem.reference - part * (found.errors - problem.reference))
     # with the noise that is known by now: taken for noise, what a start leaves would lead where this fit went
     ends = [ended(start, False, noise=found.sigma)[0] for start in others]
+    ends = [end for end in ends if end.history[-1] <= max(SETTLED, found.history[-1])]  # others are on their way
     return min([found, *ends], key=lambda end: rows.objective(end, rule.weight or 0.0) + tolerance * (end is not found))
 
 
@@ -330,7 +335,7 @@ def rough(problem: Problem, robust: bool = True, must_converge: bool = True) -> 
         broad = np.maximum((BROAD if whole else ANY) * coarse.scale, with_prior(coarse, problem.robot)[0].scale)
         coarse = dataclasses.replace(coarse, scale=broad)
     solver = Prior() if whole or left_open else LeastSquares()
-    return fit(coarse, solver, robust=robust, weigh_repeats=False, must_converge=must_converge)
+    return fit(coarse, solver, robust=robust, weigh_repeats=False, must_converge=must_converge, across=False)
 
 
 def held_out(full: Fit, solver: Solver, parts: Sequence[tuple[np.ndarray, np.ndarray]]) -> float:

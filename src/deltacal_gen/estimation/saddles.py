@@ -30,7 +30,8 @@ LOOKS = 8  # directions that are looked at, at most
 SETTLED = 0.1  # in units of the prior's own: how surely the lowest curvature is known where no more are
 DOWN = -0.05  # in units of the prior's own: a curvature that is below it leads away
 GOLDEN = (5**0.5 - 1) / 2  # parts of one that its multiples leave are spread evenly
-BEGUN = 0.5  # standard deviations beforehand: where steps begin, and beyond which they have left a place
+BEGUN = 0.5  # standard deviations beforehand: where steps begin
+LEFT = 1.0  # of them: a drawing that was left by less has its other side in sight
 
 
 def away(found: Fit) -> list[State]:
@@ -52,7 +53,7 @@ def away(found: Fit) -> list[State]:
 def left_to_a_side(found: Fit) -> bool:
     """Tell whether a fit left the drawing along what readings do not see from there."""
     problem, at = found.problem, found.problem.reference
-    if not found.solution.posterior or np.linalg.norm(found.departure) < BEGUN:
+    if not found.solution.posterior or np.linalg.norm(found.departure) < LEFT:
         return False
     try:
         machine = problem.solve(at)
@@ -62,7 +63,7 @@ def left_to_a_side(found: Fit) -> bool:
     A, _ = system(drawn, found.sigma, found.weights, found.repeats, problem.scale).machine
     _, s, Vt = np.linalg.svd(A, full_matrices=False)
     strong = Vt[s**2 > SEEN * (1 + s**2)]
-    return bool(np.linalg.norm(found.departure - strong.T @ (strong @ found.departure)) > BEGUN)
+    return bool(np.linalg.norm(found.departure - strong.T @ (strong @ found.departure)) > LEFT)
 
 
 def _most_down(beside: _Beside, unseen: Array, v: Array) -> Array | None:
