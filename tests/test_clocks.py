@@ -272,9 +272,7 @@ def test_where_nothing_else_is_wrong_nothing_else_is_named(recorded: Path) -> No
     assert "latency" in {m["name"] for m in found["not_tested"]}
 
 
-@pytest.mark.parametrize(
-    "names", [*(pytest.param(n, marks=pytest.mark.thorough) for n in ((), ("1", "2"))), ("forth", "back")]
-)
+@pytest.mark.parametrize("names", [(), ("1", "2"), ("forth", "back")])
 def test_readings_that_come_late_need_no_speeds_in_the_file(tmp_path: Path, names: tuple[str, ...]) -> None:
     """One clock: what is read belongs to 12 ms earlier; no qd stands in the file. Runs may have any name, or none."""
     rng, t, rows = np.random.default_rng(8), np.arange(0.5, 6.5 if not names else 3.5, 0.01), list[Any]()

@@ -235,7 +235,6 @@ def test_a_random_walk_is_no_law_of_time() -> None:
     assert found.laws == ()
 
 
-@pytest.mark.thorough
 def test_a_law_with_a_form_that_has_its_part_stands_without_a_name() -> None:
     """Of warmth times the square of what a gauge reads: warmth alone, and times what it reads, cost 19 of chi2 more."""
     case = laws.generate("known", (20281126, 0, 31))

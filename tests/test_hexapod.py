@@ -99,7 +99,6 @@ def test_legs_are_as_long_as_between_their_joints(backend: Backend) -> None:
         np.testing.assert_allclose(there, x, rtol=0, atol=1e-10)
 
 
-@pytest.mark.thorough
 def test_its_kernels_are_compiled_ahead() -> None:
     names = {name.removeprefix("hexapod.") for name, _ in MACHINE.compile()}
     assert {"forward", "inverse", "sensitivity", "torque", "linear_commands"} <= names

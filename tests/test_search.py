@@ -41,7 +41,7 @@ def geometry(*terms: Term, kind: str = "position", n: int = N) -> Fit:
     return fit(problem, Prior(), drop_gross=False, must_converge=False)
 
 
-@pytest.mark.parametrize("kind", ["position", pytest.param("distance", marks=pytest.mark.thorough)])
+@pytest.mark.parametrize("kind", ["position", "distance"])
 def test_geometry_that_physics_strains_is_no_doubt_of_the_drawing(kind: str) -> None:
     truth = effect("joint_scale", (1, 2, 3), 0.01)
     recording = record(ROBOT, truth, kind=kind, n=N, seed=3, of=channels(N, "time"))

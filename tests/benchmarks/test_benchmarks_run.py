@@ -33,13 +33,7 @@ QUICK = [name for name in WORKS if not name.endswith("_cold") and "command" not 
 
 
 ALIKE = [name for name in QUICK if re.match("(forward|sensitivity)_(?!diamond|serial)", name)]  # one work, each machine
-ALIKE += [
-    "W1exact",
-    "W4linear",
-    "W6_18",
-    "W7_warm",
-    "W7cli_warm",
-]  # works that others do too, on other readings or started anew
+ALIKE += ["W1exact", "W4linear", "W7_warm", "W7cli_warm"]  # works that others do too, on other readings or started anew
 
 
 @pytest.mark.parametrize(
