@@ -163,7 +163,7 @@ class Pool:
         every = {size for problem in problems for size in sizes(problem, term.kernels, term.constants[:at])}
         return [
             dataclasses.replace(term, constants=(*term.constants[:at], size, *term.constants[at + 1 :]))
-            for size in sorted(every)
+            for size in sorted(every - {term.constants[at]})
         ]
 
     def _columns_of(self, term: Term) -> list[int]:

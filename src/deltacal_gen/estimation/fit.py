@@ -40,7 +40,7 @@ CONVERGED = 1e-4  # of chi2: what a last step could still gain; parameters then 
 PATIENCE, SETTLED, UNSETTLED = 30, 5e-2, 1.0
 CRAWLING, CRAWLS = 5, 0.9  # steps in a row, after each of which so much of what was promised still is
 ESTIMATED_AT = 3  # iteration in which at the latest the weight of repeats is estimated: the fit is then close
-OPPOSITE = (0.03, 1.0)  # of what a fit left the drawing by: near on its other side, and as far; valleys may lie between
+OPPOSITE = 0.03  # of what a fit left the drawing by: where it begins on the other side; a third valley may lie farther
 ANY = 1e3  # ordinary errors: a prior of encoder offsets that never pulls
 FEW = 12  # lines that a message lists
 SPOILT = 30.0  # times the median residual: a reading so far off is named when a fit does not converge
@@ -112,12 +112,11 @@ def fit(
     if instrument is None:
         own = slice(len(problem.scale), None)
         others += turned(problem, State(found.errors, found.instrument, found.machine), found.covariance[own, own])
-        others += [] if drawn else _begun(problem, errors, problem.reference)
+        others += [] if drawn else _elsewhere(problem, errors, problem.reference)
     # of a search the first fit looks there, and effects keep their sign
     across &= (instrument is None or tolerance <= CONVERGED) and not problem.terms
     if across and left_to_a_side(found):
-        for part in OPPOSITE:
-            others += _begun(problem, errors, problem.reference - part * (found.errors - problem.reference))
+        others += _elsewhere(problem, errors, problem.reference - OPPOSITE * (found.errors - problem.reference))
     # with the noise that is known by now: taken for noise, what a start leaves would lead where this fit went
     ends = [ended(start, False, noise=found.sigma)[0] for start in others]
     ends = [end for end in ends if end.history[-1] <= max(SETTLED, found.history[-1])]  # others are on their way
@@ -134,14 +133,14 @@ def _beside(
     return min(ends, key=lambda end: rows.objective(end, rule.weight or 0.0))
 
 
-def _begun(problem: Problem, errors: Array, other: Array) -> list[State]:
-    """Return a start that is elsewhere in what is fitted: at the drawing, or on its other side."""
+def _elsewhere(problem: Problem, errors: Array, other: Array) -> list[State]:
+    """Return a start where what is fitted is as in `other`; none where no machine stands there."""
     errors = errors.copy()
     errors[problem.columns] = other[problem.columns]
     try:
         machine = problem.solve(errors)
     except InputError:
-        return []  # none stands there
+        return []
     return [State(errors, problem.begin(errors, machine), machine)]
 
 
@@ -158,7 +157,7 @@ class _Rows:
         drop_gross: bool,
         noise: Array | None = None,
     ) -> None:
-        self._begun = noise  # until a fit is close
+        self._at_first = noise  # until a fit is close
         self._found, self._robust, self._drop_gross = problem.readings, robust, drop_gross
         self.estimated = repeats is None and weigh_repeats
         self.shared = Repeats(self._found.group) if repeats is None else repeats
@@ -174,7 +173,7 @@ class _Rows:
 
     def weigh(self, residual: Array, iteration: int, close: int) -> None:
         """Estimate noise and weights from residuals (R, k); what repeats share once, when the fit is close."""
-        self.sigma = self._noise(residual) if self._begun is None or iteration >= close else self._begun
+        self.sigma = self._noise(residual) if self._at_first is None or iteration >= close else self._at_first
         drop = self._found.kind if self._drop_gross and iteration > close - self.later else None
         off = self.shared.off(residual)
         self.weights = robust_weights(off, self.sigma, drop) if self._robust else np.ones(len(residual))

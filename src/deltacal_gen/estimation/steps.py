@@ -4,7 +4,8 @@ A whole Gauss-Newton step goes as far along a weak direction as noise takes it: 
 pair of links that stand parallel in all poses. There the exact machine bends long before the step ends. Every step is
 therefore the least squares solution with a damping in units of each column's own influence (Levenberg 1944, Marquardt
 1963): strong directions move freely, weak ones as far as the exact machine follows. The damping eases where the linear
-machine keeps its promise and grows where it does not (Nielsen 1999).
+machine keeps its promise and grows where it does not (Nielsen 1999). A step that keeps more than was promised, in a
+valley that is flatter than the linear machine's, is made longer.
 """
 
 from __future__ import annotations
@@ -169,7 +170,7 @@ def improved(
             if lower < after:
                 trial, after = bent, lower
         if trial is not None and not damping and before - after > MORE * promised > MORE * worth:
-            # along a valley that is flatter than the linear machine's each step covers a small part of the way
+            # of a parabola: by how much longer a step ends at its bottom
             far, most = 2.0, promised / max(2 * promised - (before - after), SAME * before)
             while far <= min(most, LONGER):
                 there, rows, _ = tried(far * s, far * t, trial)

@@ -174,13 +174,12 @@ def _beside(
     first = _of_all(some, base, proof.grown, names)
     for grown in () if first is None else (curved(some, first), first):
         for kept in _alone_first(some, base, proof.grown, _needed(some, grown, found), found):
-            if kept.law and some is not problem:
-                kept = _of_all(problem, base, kept, kept.names) or dataclasses.replace(kept, law=())
-            if not kept.law or kept.cost >= deviance_of(found.search.fit) or _by_others(kept):
+            whole = kept if some is problem or not kept.law else _of_all(problem, base, kept, kept.names)
+            if whole is None or not whole.law or whole.cost >= deviance_of(found.search.fit) or _by_others(whole):
                 continue
-            asked = _asked(problem, kept, proof)  # what is told is asked for as it is written
+            asked = _asked(problem, whole, proof)  # what is told is asked for as it is written
             if asked is not None and asked.holds:
-                return Sought(tuple(_told(problem, _calm(problem, kept), asked, found)))
+                return Sought(tuple(_told(problem, _calm(problem, whole), asked, found)))
     return Sought()
 
 
