@@ -47,7 +47,7 @@ STEERING = {
     "diagnosis.diagnosis": ("MACHINED", "MOST_POSES"),
     "diagnosis.evidence": ("FAR", "SHORT", "MOST_WRONG"),
     "diagnosis.findings": ("AMBIGUOUS",),
-    "diagnosis.refits": ("ROOM",),
+    "diagnosis.refits": ("ROOM", "COMPARED"),
     "diagnosis.strategy": (
         *("ALIKE", "HARDLY_ALIKE", "BORNE_OUT", "MUCH_WORSE", "TURNS", "SETTLED"),
         *("MOST_EFFECTS", "MOST_WAVES", "REVISIONS", "FEW", "RIVALS", "NEAR", "GIVEN_UP"),
@@ -66,7 +66,7 @@ STEERING = {
     "diagnosis.correction": ("PROVEN", "LENGTHS", "SIZES", "KNOTS", "CANDIDATES"),
     "diagnosis.laws.screen": ("PART", "LOOKED_AT", "KINDS", "REFINED", "NEAR"),
     "diagnosis.laws.shape": ("MOST", "CLOSER", "LITTLE", "HARDLY", "RUNS", "FARTHER"),
-    "diagnosis.laws.search": ("SHARE", "ON_THE_WAY", "TRIMMED", "TRIED", "LOOKS", "COMPARED"),
+    "diagnosis.laws.search": ("SHARE", "ON_THE_WAY", "TRIMMED", "TRIED", "LOOKS"),
     "diagnosis.laws.proof": ("PART", "LAST", "SLOW"),
     "diagnosis.laws.remainder": ("COUNTS", "PRICE"),
     "diagnosis.laws.laws": ("RIVALS", "DOUBTED"),

@@ -20,6 +20,7 @@ from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.terms import Term, beyond, largest, without_rows
 
 SEARCHED = 1e-2  # of chi2: what a last step of a fit within the search may still gain
+COMPARED = 0.5  # of chi2: the same, of a fit that is compared with others, by a margin of 10
 # mm: root mean square that an effect's coefficient may well move the readings, a prior that never pulls; where readings
 # hardly see it, that of its believable range does
 ROOM = 10.0
@@ -31,11 +32,17 @@ def terms_of(at: Fit) -> list[Term]:
 
 
 def refitted(
-    problem: Problem, at: Fit, terms: Sequence[Term], drop_gross: bool = False, tolerance: float = SEARCHED
+    problem: Problem,
+    at: Fit,
+    terms: Sequence[Term],
+    drop_gross: bool = False,
+    tolerance: float = SEARCHED,
+    known: Sequence[Term] | None = None,
 ) -> Fit | None:
     """Return the joint fit of geometry, instrument and effects, starting from a fit; None where there is none.
 
-    What is left out may look like gross errors where it is strongest: none is dropped before all is known.
+    What is left out may look like gross errors where it is strongest: none is dropped before all is known. Of effects
+    that are `known` no saddle is sought; default those of the fit before, which was asked for its own.
     """
     n_p = len(problem.mechanism.parameters)
     errors, joint, same = at.errors[:n_p], problem, at.problem.body is problem.body
@@ -60,9 +67,16 @@ def refitted(
             drop_gross=drop_gross,
             must_converge=False,
             tolerance=tolerance,
+            known=_among(terms, terms_of(at) if known is None else known),
         )
     except (NoSolutionError, InputError):
         return None
+
+
+def _among(terms: Sequence[Term], others: Sequence[Term]) -> np.ndarray:
+    """Return which coefficients (n_c,) of effects are of one of the others."""
+    own = {*map(form, others)}
+    return np.array([form(t) in own for t in terms for _ in range(t.n_coefficients)], dtype=bool)
 
 
 def _correlated(at: Fit, problem: Problem) -> Repeats | None:

@@ -12,7 +12,7 @@ import numpy as np
 
 from deltacal_gen.diagnosis.charges import AS_GOOD, MARGIN, carriers_of, several
 from deltacal_gen.diagnosis.evidence import evidence
-from deltacal_gen.diagnosis.refits import form, kind, place, refitted, std_of, terms_of
+from deltacal_gen.diagnosis.refits import COMPARED, form, kind, place, refitted, std_of, terms_of
 from deltacal_gen.diagnosis.scattering import scattering
 from deltacal_gen.diagnosis.search import Found, Search
 from deltacal_gen.diagnosis.spectrum import Spectrum, periodic
@@ -592,7 +592,7 @@ def held_out_by(problem: Problem, search: Search, parts: Sequence[tuple[np.ndarr
             part = part.added(*best.terms)
         same = {form(t) for t in chosen} == final.keys()
         terms = [final.get(form(t), t) for t in chosen]
-        fitted = search.fit if same else refitted(problem, search.fit, terms)
+        fitted = search.fit if same else refitted(problem, search.fit, terms, tolerance=COMPARED, known=terms)
         if fitted is not None:
             out[test] = held_out_errors(fitted, Prior(), [(train, test)])[test]
     return out

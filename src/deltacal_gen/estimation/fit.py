@@ -61,6 +61,7 @@ def fit(
     must_converge: bool = True,
     tolerance: float = CONVERGED,
     across: bool = True,
+    known: np.ndarray | None = None,
 ) -> Fit:
     """Fit a machine's parameters and the instrument to readings, exactly.
 
@@ -89,6 +90,8 @@ def fit(
         What a last step may still gain of chi2.
     across : bool
         Begin on the other side of the drawing, too, where the fit left it to one side.
+    known : (n_c,) array of bool, optional
+        Coefficients of effects that a fit before had: no saddle is sought of these within a search.
 
     Raises
     ------
@@ -108,7 +111,10 @@ def fit(
 
     begun = problem.begin(errors, machine) if instrument is None else instrument
     found, rows = ended(State(errors, begun, machine), must_converge)
-    found, others = _beside(found, rows, rule, tolerance, ended), []
+    sought = found.unseen if known is None else found.unseen & ~known
+    if found.solution.posterior and (tolerance <= CONVERGED or sought.any()):
+        found = _beside(found, rows, rule, ended)
+    others: list[State] = []
     if instrument is None:
         own = slice(len(problem.scale), None)
         others += turned(problem, State(found.errors, found.instrument, found.machine), found.covariance[own, own])
@@ -123,12 +129,8 @@ def fit(
     return min([found, *ends], key=lambda end: rows.objective(end, rule.weight or 0.0) + tolerance * (end is not found))
 
 
-def _beside(
-    found: Fit, rows: _Rows, rule: Solver, tolerance: float, ended: Callable[[State, bool, bool], tuple[Fit, _Rows]]
-) -> Fit:
+def _beside(found: Fit, rows: _Rows, rule: Solver, ended: Callable[[State, bool, bool], tuple[Fit, _Rows]]) -> Fit:
     """Return the lowest of a fit and those that lead away from it, on both sides, where it ended on a saddle."""
-    if not found.solution.posterior or (tolerance > CONVERGED and found.effects_seen):
-        return found
     ends = [found, *(ended(state, False, True)[0] for state in away(found))]
     return min(ends, key=lambda end: rows.objective(end, rule.weight or 0.0))
 

@@ -73,10 +73,10 @@ class Fit:
         return off if 2 * len(off) <= len(size) else off[:0]
 
     @property
-    def effects_seen(self) -> bool:
-        """Whether the readings see every coefficient of the effects that are fitted and that bears anything."""
-        unseen = np.diag(self.solution.covariance)[len(self.problem.names) :] >= 1.0 - SEEN
-        return not unseen.any() or not (unseen & self.problem.borne(self.problem.terms)).any()
+    def unseen(self) -> np.ndarray:
+        """Which coefficients (n_c,) of the effects that are fitted bear something, and the readings see none of it."""
+        out: np.ndarray = np.diag(self.solution.covariance)[len(self.problem.names) :] >= 1.0 - SEEN
+        return out & self.problem.borne(self.problem.terms) if out.any() else out
 
     def rms(self) -> float:
         """RMS of the residuals of length, each measured scalar once, gross errors left out [mm]."""

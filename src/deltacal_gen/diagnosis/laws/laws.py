@@ -14,8 +14,8 @@ from deltacal_gen.diagnosis.discrimination import Question
 from deltacal_gen.diagnosis.laws.ground import Ground, Tried
 from deltacal_gen.diagnosis.laws.proof import MOST_POSES, SEED, Instead, Proof, judged, proven
 from deltacal_gen.diagnosis.laws.screen import counted, stands_out
-from deltacal_gen.diagnosis.laws.search import COMPARED, Grown, curved, fitted, polished, unexplained
-from deltacal_gen.diagnosis.refits import refitted, terms_of
+from deltacal_gen.diagnosis.laws.search import Grown, curved, fitted, polished, unexplained
+from deltacal_gen.diagnosis.refits import COMPARED, refitted, terms_of
 from deltacal_gen.diagnosis.strategy import Outcome
 from deltacal_gen.diagnosis.structure import by_instrument
 from deltacal_gen.diagnosis.wandering import following_walks

@@ -12,8 +12,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from deltacal_gen.diagnosis.laws.search import COMPARED, SHARE, Grown, explained, grow, quiet
-from deltacal_gen.diagnosis.refits import refitted, terms_of
+from deltacal_gen.diagnosis.laws.search import SHARE, Grown, explained, grow, quiet
+from deltacal_gen.diagnosis.refits import COMPARED, refitted, terms_of
 from deltacal_gen.diagnosis.strategy import borne_out
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem

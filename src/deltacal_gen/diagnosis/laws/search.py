@@ -17,7 +17,7 @@ from deltacal_gen.diagnosis.laws.ground import Ground, Tried
 from deltacal_gen.diagnosis.laws.profile import refine
 from deltacal_gen.diagnosis.laws.screen import ranked
 from deltacal_gen.diagnosis.laws.shape import reread, shaped
-from deltacal_gen.diagnosis.refits import refitted, terms_of
+from deltacal_gen.diagnosis.refits import COMPARED, refitted, terms_of
 from deltacal_gen.diagnosis.strategy import ALIKE
 from deltacal_gen.diagnosis.structure import alike, structures
 from deltacal_gen.estimation.fitted import Fit
@@ -35,7 +35,6 @@ ON_THE_WAY = (0.3, 0.55)  # of the same: what one term, and two, have to take, o
 TRIMMED = 0.03  # of readings: the largest errors, which may be gross
 TRIED = 3  # forms of which the exact fit is asked for
 LOOKS = 4  # at the shape of a term
-COMPARED = 0.5  # of chi2: what a last step may still gain in a fit that is compared with others, by a margin of 10
 
 
 @dataclass(frozen=True)
