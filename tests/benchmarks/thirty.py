@@ -30,7 +30,7 @@ STEERING = {
     "estimation.turns": ("TURNED",),
     "estimation.directions": ("CHANCE", "FEWEST"),
     "estimation.series": ("LONGEST", "OWN_PRICE"),
-    "estimation.saddles": ("SEEN", "ASIDE", "LINEAR", "LOOKS", "LEFT"),
+    "estimation.saddles": ("SEEN", "ASIDE", "LINEAR", "LOOKS", "FORESEEN", "SURE"),
     "estimation.system": ("STRONG",),
     "estimation.steps": ("EASE", "WEAK", "FIRST", "TRUE", "MORE", "LONGER"),
     "estimation.fit": ("CONVERGED", "ESTIMATED_AT", "CRAWLING", "CRAWLS", "OPPOSITE"),

@@ -25,7 +25,7 @@ from deltacal_gen.estimation.residuals import (
     robust_weights,
     shared_by_repeats,
 )
-from deltacal_gen.estimation.saddles import away, left_to_a_side
+from deltacal_gen.estimation.saddles import away, unforeseen
 from deltacal_gen.estimation.solvers import LeastSquares, Prior, Solution, Solver
 from deltacal_gen.estimation.steps import Linear, State, improved
 from deltacal_gen.estimation.system import System, system, whitened
@@ -119,9 +119,8 @@ def fit(
         own = slice(len(problem.scale), None)
         others += turned(problem, State(found.errors, found.instrument, found.machine), found.covariance[own, own])
         others += [] if drawn else _elsewhere(problem, errors, problem.reference)
-    # of a search the first fit looks there, and effects keep their sign
-    across &= (instrument is None or tolerance <= CONVERGED) and not problem.terms
-    if across and left_to_a_side(found):
+    across &= instrument is None or tolerance <= CONVERGED  # of a search the first fit looks there, and the last
+    if across and unforeseen(found):
         others += _elsewhere(problem, errors, problem.reference - OPPOSITE * (found.errors - problem.reference))
     # with the noise that is known by now: taken for noise, what a start leaves would lead where this fit went
     ends = [ended(start, False, noise=found.sigma)[0] for start in others]

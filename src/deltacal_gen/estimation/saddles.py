@@ -31,7 +31,8 @@ SETTLED = 0.1  # in units of the prior's own: how surely the lowest curvature is
 DOWN = -0.05  # in units of the prior's own: a curvature that is below it leads away
 GOLDEN = (5**0.5 - 1) / 2  # parts of one that its multiples leave are spread evenly
 BEGUN = 0.5  # standard deviations beforehand: where steps begin
-LEFT = 1.0  # of them: a drawing that was left by less has its other side in sight
+FORESEEN = 1 / 3  # of the way from the drawing to a fit: of which less is not the linear machine's, it saw the place
+SURE = 10.0  # of chi2: a place that is so far from the one foreseen is another
 
 
 def away(found: Fit) -> list[State]:
@@ -50,20 +51,24 @@ def away(found: Fit) -> list[State]:
         return []  # no machine stands there
 
 
-def left_to_a_side(found: Fit) -> bool:
-    """Tell whether a fit left the drawing along what readings do not see from there."""
+def unforeseen(found: Fit) -> bool:
+    """Tell whether a fit ended elsewhere than the machine made linear at the drawing would have it.
+
+    By more than a part of the way, and than the fit is uncertain by: the objective bends between, and may have another
+    low place on the other side.
+    """
     problem, at = found.problem, found.problem.reference
-    if not found.solution.posterior or np.linalg.norm(found.departure) < LEFT:
+    if not found.solution.posterior:
         return False
     try:
         machine = problem.solve(at)
-        drawn = problem.linearise(at, problem.begin(at, machine), machine)
+        A, b = _rows(found, State(at, problem.begin(at, machine), machine)).machine
     except InputError:
         return False  # no machine stands there
-    A, _ = system(drawn, found.sigma, found.weights, found.repeats, problem.scale).machine
-    _, s, Vt = np.linalg.svd(A, full_matrices=False)
-    strong = Vt[s**2 > SEEN * (1 + s**2)]
-    return bool(np.linalg.norm(found.departure - strong.T @ (strong @ found.departure)) > LEFT)
+    off = found.departure - np.linalg.solve(A.T @ A + np.eye(A.shape[1]), A.T @ b)
+    if np.linalg.norm(off) < FORESEEN * np.linalg.norm(found.departure):
+        return False
+    return bool(off @ np.linalg.solve(found.solution.covariance, off) > SURE)
 
 
 def _most_down(beside: _Beside, unseen: Array, v: Array) -> Array | None:
@@ -104,7 +109,7 @@ class _Beside:
 
     def __init__(self, found: Fit) -> None:
         self._fit = found
-        self._system = self._rows(State(found.errors, found.instrument, found.machine))
+        self._system = _rows(found, State(found.errors, found.instrument, found.machine))
         self.A, b = self._system.machine
         self.here: Array = found.departure - self.A.T @ b
 
@@ -118,14 +123,15 @@ class _Beside:
 
     def gradient(self, aside: Array) -> Array:
         """Return half the gradient (n,) there."""
-        A, b = self._rows(self.state(aside)).machine
+        A, b = _rows(self._fit, self.state(aside)).machine
         out: Array = self._fit.departure + aside - A.T @ b
         return out
 
-    def _rows(self, at: State) -> System:
-        """Return the rows of the machine made linear, of a soft one as its loads follow, weighed as in the fit."""
-        found, problem = self._fit, self._fit.problem
-        linear = problem.linearise(at.errors, at.instrument, at.machine)
-        if problem.gives_way:
-            linear = linear._replace(J_p=linear.J_p + problem.followed(*at))
-        return system(linear, found.sigma, found.weights, found.repeats, problem.scale)
+
+def _rows(found: Fit, at: State) -> System:
+    """Return the rows of the machine made linear, of a soft one as its loads follow, weighed as in the fit."""
+    problem = found.problem
+    linear = problem.linearise(at.errors, at.instrument, at.machine)
+    if problem.gives_way:
+        linear = linear._replace(J_p=linear.J_p + problem.followed(*at))
+    return system(linear, found.sigma, found.weights, found.repeats, problem.scale)
