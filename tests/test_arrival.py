@@ -362,6 +362,18 @@ def test_a_mistake_in_the_joints_is_named(arm: Robot, words: str) -> None:
         plausible(rough(pose_problem(arm, wrong, ()), must_converge=False))
 
 
+@pytest.mark.parametrize("words", ["the columns of joints 2 and 3 are exchanged", "joint 4 counts the other way"])
+def test_of_a_poor_machine_that_is_refused_the_mistakes_are_told_with_which_it_would_not_be(
+    arm: Robot, words: str
+) -> None:
+    """It leaves a tenth of what they move whatever is put right: nothing was named, and all had to be compared."""
+    poor = recorded(arm, wide(np.random.default_rng(2), 120, 0.6), sag=0.3)
+    plausible(rough(pose_problem(arm, poor, ()), must_converge=False))
+    wrong = dataclasses.replace(poor, joints=MISTAKES[words](poor))
+    with pytest.raises(InputError, match="more than any error of its parts. They would be .* mm off if .*" + words):
+        plausible(rough(pose_problem(arm, wrong, ()), must_converge=False))
+
+
 def test_poses_the_other_way_round_are_named(arm: Robot) -> None:
     """What a camera in the hand tells of a board is where the board is, not where the hand is."""
     rng = np.random.default_rng(2)

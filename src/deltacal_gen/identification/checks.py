@@ -17,12 +17,13 @@ from deltacal_gen.estimation.series import sequence
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.files.robot import robot_size
 from deltacal_gen.identification.mistakes import (
+    AS_NEAR,
     EXPLAINED,
     MOST_FITTED,
     NEARER,
-    explained,
     in_other_units,
     sizes,
+    tried,
     turns_alike,
     typical,
 )
@@ -170,7 +171,8 @@ def plausible(first: Fit) -> None:
 
     A rigid machine is off by less than half a per cent of its size once its encoder offsets are known. A soft one is
     off by more, and no check refuses it: beyond that, the mistakes that people make are tried, and the readings are
-    refused where one of them explains nearly all, or where the machine explains next to nothing of what was read.
+    refused where one of them explains nearly all, or where the machine explains next to nothing of what was read. Of
+    a poor machine no mistake explains nearly all: then those are told with which nothing would be refused.
     """
     problem, found = first.problem, first.problem.readings
     off = typical(first)
@@ -185,7 +187,8 @@ def plausible(first: Fit) -> None:
         _zeros(first)
         return
     _all_the_same(problem)
-    if words := explained(problem, off):
+    mistakes = tried(problem, off)
+    if words := [said for left, said in mistakes if left < EXPLAINED]:
         raise InputError(
             f"the readings are {off:.3g} mm off this machine, but agree with it if {', or if '.join(words)}.",
             "Correct the recording, its sidecar or the robot file.",
@@ -197,11 +200,20 @@ def plausible(first: Fit) -> None:
     if off > NONSENSE * spread:
         raise InputError(
             f"the readings are {off:.3g} mm off this machine, {off / spread:.0%} of what its poses spread over: more "
-            "than any error of its parts.",
+            f"than any error of its parts.{_nearer(mistakes, off, spread)}",
             "Compare the robot file with the machine (of a chain also whether its table is standard or modified), and "
             "the columns of the recording with what was measured, and of which point.",
             file=problem.recording.path,
         )
+
+
+def _nearer(mistakes: list[tuple[float, str]], off: float, spread: float) -> str:
+    """Return in words the mistakes with which readings that are refused would not be, as near as the nearest."""
+    most = NONSENSE * spread / off
+    words = [said for left, said in mistakes if left < min(most, NEARER, AS_NEAR * mistakes[0][0])]
+    if not words:
+        return ""
+    return f" They would be {mistakes[0][0] * off:.2g} mm off if {', or if '.join(words)}."
 
 
 def _all_the_same(problem: Problem) -> None:

@@ -52,11 +52,12 @@ def sizes(at: Fit) -> Array:
     return size
 
 
-def explained(problem: Problem, off: float) -> list[str]:
-    """Return in words the mistakes, one at a time, with which readings agree with the machine.
+def tried(problem: Problem, off: float) -> list[tuple[float, str]]:
+    """Return mistakes, one at a time, with which readings are nearer to the machine, the nearest first.
 
     Each is looked at with the machine as its file says, on few poses; the few that bring most are fitted. All together
-    cost less than a fit.
+    cost less than a fit. What each leaves of `off` comes with it, by what the readings spread over: in a larger unit
+    all is smaller, errors too.
     """
     few = problem.some(POSES_LOOKED_AT, np.random.default_rng(SEED))
     mistakes: Iterable[tuple[str, Problem]] = ()
@@ -64,19 +65,18 @@ def explained(problem: Problem, off: float) -> list[str]:
         mistakes = itertools.chain(_mistakes(few), _shifted(problem))
     elif few.readings.kind.in_differences(few.recording.measurement):
         mistakes = _units(few, "lengths")  # what counts from the first is not told by how long it is
-    tried = [(_aligned_error(changed), words, changed) for words, changed in mistakes]
+    looked_at = [(_aligned_error(changed), words, changed) for words, changed in mistakes]
     most = NEARER * _aligned_error(few)
-    near = sorted((t for t in tried if t[0] < most), key=lambda t: t[0])[:MOST_FITTED]
+    near = sorted((t for t in looked_at if t[0] < most), key=lambda t: t[0])[:MOST_FITTED]
     out = []
     for _, words, changed in near:
         try:
             again = rough(changed, must_converge=False)
         except (InputError, NoSolutionError):
             continue
-        smaller = min(1.0, _spread(changed) / _spread(problem))  # in a larger unit all is smaller, errors too
-        if typical(again) < EXPLAINED * off * smaller:
-            out.append(words)
-    return out
+        smaller = min(1.0, _spread(changed) / _spread(few))
+        out.append((typical(again) / (off * smaller), words))
+    return sorted(out, key=lambda t: t[0])
 
 
 def in_other_units(at: Fit) -> Iterator[tuple[str, Fit]]:
