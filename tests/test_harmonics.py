@@ -109,6 +109,16 @@ def test_a_wave_that_was_not_seen_to_repeat_is_told_as_such(order: int, seen: bo
     assert ("not seen to repeat" in found.summary) is not seen
 
 
+def test_several_waves_are_told_in_one_phrase_by_their_orders() -> None:
+    """Each had a phrase of its own, without its order: one joint had `a periodic error` three times over."""
+    robot = machine()
+    slow, fine = (effect(WAVE, (2,), size, 0.0, constants=(order,)) for size, order in ((0.3, 3.0), (0.03, 24.0)))
+    found = diagnosis(robot, record(robot, slow, fine, n=120))
+    assert [e.limbs for e in found.effects] == [(2,), (2,)]
+    assert found.summary.count("periodic error of the transmission") == 1
+    assert "of orders 3 at limb 2, 24 at limb 2, of which 3 was not seen to repeat: any smooth" in found.summary
+
+
 def test_joints_that_hardly_move_show_no_period() -> None:
     robot = machine()
     joints = np.random.default_rng(2).uniform(-1.5, 1.5, (60, 3))

@@ -10,17 +10,18 @@ from typing import Literal
 import numpy as np
 
 from deltacal_gen.diagnosis.chance import Chance
-from deltacal_gen.diagnosis.charges import several
 from deltacal_gen.diagnosis.correction import POSITION, Correction
 from deltacal_gen.diagnosis.discrimination import NO_POSES, NONE_SO_FAR, more_poses
 from deltacal_gen.diagnosis.findings import Named
-from deltacal_gen.diagnosis.harmonics import lowest_repeating, order_of, travelled
+from deltacal_gen.diagnosis.harmonics import order_of
 from deltacal_gen.diagnosis.laws.laws import Lawful
 from deltacal_gen.diagnosis.laws.told import told
 from deltacal_gen.diagnosis.search import SCATTERED
 from deltacal_gen.diagnosis.spectrum import Spectrum, Standing
+from deltacal_gen.diagnosis.words import effects_in_words
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
+from deltacal_gen.estimation.series import Series
 from deltacal_gen.files.robot import kept_robot
 from deltacal_gen.identification.checks import gross_lines
 from deltacal_gen.identification.drawing import filed_rms
@@ -328,8 +329,9 @@ def _summary(found: Diagnosed) -> str:
             f"{decimals(found.noise.sigma)} mm. Measure more poses."
         )
     if found.verdict is Verdict.ADEQUATE:
+        nothing = "Nothing" if _lasting(found) is None else "Nothing that was recorded"
         return (
-            f"Nothing is missing: what the calibrated geometry leaves, {decimals(before)} mm on held-out readings, "
+            f"{nothing} is missing: what the calibrated geometry leaves, {decimals(before)} mm on held-out readings, "
             f"{_as_noise(found)}. {_use_of(found)}{_hinted(found)}"
         )
     turned = f"It may be {found.turned}: compare the signs of that column first. " if found.turned else ""
@@ -337,12 +339,7 @@ def _summary(found: Diagnosed) -> str:
     if found.spectrum is not None:
         where = at(found.robot, found.spectrum.limbs)
         parts.append(f"{load_effect(wave()).TITLE} of many orders ({wave()}){where}{_standing_out(found)}")
-    parts += [
-        f"{n.term.kernels.TITLE} ({n.term.effect}){at(found.robot, n.term.limbs)}{_shape(found, n)}"
-        for n in found.effects
-        if n.fundamental is None
-    ]
-    parts += _lawful(found)
+    parts += effects_in_words(found.effects, found.robot, found.final.problem) + _lawful(found)
     if found.verdict is Verdict.MISSING_PHYSICS:
         return (
             f"{turned}Geometry alone leaves {decimals(before)} mm on held-out readings. What is missing: "
@@ -375,21 +372,6 @@ def _unsought(found: Diagnosed) -> str:
     if found.spectrum is not None:
         return " No law was looked for: an error of so many orders imitates any function of the pose."
     return ""
-
-
-def _shape(found: Diagnosed, fundamental: Named) -> str:
-    """Return that an effect is no sine, and which harmonics it has, or that it was not seen to repeat; "" of others."""
-    term = fundamental.term
-    if not several(term.effect):
-        return ""
-    harmonics = sorted(order_of(n.term) for n in found.effects if n.fundamental is term)
-    if not harmonics:
-        travel = travelled(found.final.problem)
-        seen = order_of(term) >= lowest_repeating(min(travel[i - 1] for i in term.limbs))
-        of = "that joint" if len(term.limbs) == 1 else "each of these joints"
-        return "" if seen else f", which was not seen to repeat: any smooth function of {of} may be it"
-    orders = ", ".join(f"{order:g}" for order in harmonics)
-    return f", no sine: {order_of(fundamental.term):g} periods a turn, with harmonics {orders}"
 
 
 def _standing_out(found: Diagnosed) -> str:
@@ -480,6 +462,14 @@ def _doubtful(hint: Hint) -> str:
 
 def _as_noise(found: Diagnosed) -> str:
     """Return what entitles to take what is left for noise, or that nothing does."""
+    if (lasting := _lasting(found)) is not None:
+        timed = found.final.problem.recording.time_s is not None
+        return (
+            f"hangs together over {lasting.rows:.0f} of {lasting.rows_of_a_set_up:.0f} rows: no noise of readings, but "
+            "something that moved on while they were taken (the instrument's stand, the base, the zero of a joint), "
+            "and nothing that was recorded tells of it. Read one pose first, now and then, and last"
+            f"{'' if timed else ', and write time_s'}"
+        )
     together = noise_model(found.final, found.noise)
     hangs = "" if together.rho == 0 else f" that hangs together over {together.rows:.0f} rows"
     hangs += f" ({found.noise.rounded})" if found.noise.rounded else ""
@@ -491,6 +481,16 @@ def _as_noise(found: Diagnosed) -> str:
             "sigma_mm say how large noise is here"
         )
     return f"is noise{hangs}"
+
+
+def _lasting(found: Diagnosed) -> Series | None:
+    """Return how what is left hangs together where that lasts as long as the recording; None of noise of its own.
+
+    An instrument whose noise is declared may wander within that.
+    """
+    series = found.final.repeats.series
+    declared = found.noise.source is Source.DECLARED
+    return series if isinstance(series, Series) and series.lasts and not declared else None
 
 
 def _functions(problem: Problem, made: Correction) -> tuple[JointFunction, ...]:

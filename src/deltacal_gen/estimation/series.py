@@ -24,6 +24,7 @@ FADES = (0.0, *np.linspace(-0.2, np.log(LONGEST), 12).tolist())  # log(1 - rho) 
 OWN = (0.1, 0.3, 0.5, 0.7, 0.9)  # parts of the variance that are each row's own, likewise
 REFINED = 6  # times that the steps between those are halved
 OWN_PRICE = 6.6  # of the deviance: what a part of each row's own must explain; chance does in one of a hundred
+TWICE = 2.0  # times that a set-up shows what fades: what it shows less often goes from one end of it to the other
 SORTED = 0.2  # of the rows of a file, that are earlier than the one before: it is not in the order of reading
 FAINT = 1e-6  # weight below which a reading counts for nothing
 
@@ -95,12 +96,17 @@ class Series(Correlated):
     @property
     def rows(self) -> float:
         """So many rows tell as much of a mean as one whose noise is its own; all of a set-up at most."""
-        return min(1 + 2 * (1 - self.own) * self.rho / (1 - self.rho), self._of_a_set_up)
+        return min(1 + 2 * (1 - self.own) * self.rho / (1 - self.rho), self.rows_of_a_set_up)
+
+    @property
+    def lasts(self) -> bool:
+        """Whether what fades lasts so long that a set-up shows it once: a way that something went, no noise."""
+        return TWICE * self.rows > self.rows_of_a_set_up
 
     @property
     def rows_of_size(self) -> float:
         """So many rows tell as much of the size of noise as one whose noise is its own; all of a set-up at most."""
-        return min(1 + 2 * (1 - self.own) ** 2 * self.rho**2 / (1 - self.rho**2), self._of_a_set_up)
+        return min(1 + 2 * (1 - self.own) ** 2 * self.rho**2 / (1 - self.rho**2), self.rows_of_a_set_up)
 
     @property
     def within(self) -> float:
@@ -118,7 +124,7 @@ class Series(Correlated):
         return shown / len(self.gap)
 
     @property
-    def _of_a_set_up(self) -> float:
+    def rows_of_a_set_up(self) -> float:
         """Rows that a set-up has, in the mean."""
         return len(self.gap) / float(np.isinf(self.gap).sum())
 
