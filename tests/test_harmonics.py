@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import dataclasses
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -19,6 +21,7 @@ from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.pages import report
 from deltacal_gen.physics.terms import Term
+from deltacal_gen.use.prediction import beyond_waves, waves_in_words
 from tests.left_out import DELTA, channels, diagnosis, effect, machine, record
 
 pytestmark = pytest.mark.usefixtures("compiled")
@@ -104,9 +107,18 @@ def test_a_shape_that_is_no_sine_is_named_with_what_its_fundamental_carries(shap
 @pytest.mark.parametrize(("order", "seen"), [(3, False), (24, True)])
 def test_a_wave_that_was_not_seen_to_repeat_is_told_as_such(order: int, seen: bool) -> None:
     robot = machine()
-    found = diagnosis(robot, record(robot, effect(WAVE, (2,), 0.3, 0.0, constants=(float(order),)), n=120))
+    read = record(robot, effect(WAVE, (2,), 0.3, 0.0, constants=(float(order),)), n=120)
+    found = diagnosis(robot, read)
     assert [e.name for e in found.effects] == [WAVE]
     assert ("not seen to repeat" in found.summary) is not seen
+    # where its joint was never read it is anything: predictions there say so
+    assert (found.effects[0].read_deg is None) is seen
+    assert beyond_waves(found, read) == ()
+    turn = np.radians(15.0) * (np.arange(read.n_rows) == np.argmax(read.joints[:, 1]))
+    farther = dataclasses.replace(read, joints=read.joints + turn[:, None] * [0, 1, 0])
+    told = beyond_waves(found, farther)
+    assert [(t.limb, t.readings) for t in told] == ([] if seen else [(2, 1)])
+    assert all("was not seen to repeat, and is not known there" in waves_in_words(t) for t in told)
 
 
 def test_several_waves_are_told_in_one_phrase_by_their_orders() -> None:

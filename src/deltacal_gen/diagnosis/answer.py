@@ -10,10 +10,11 @@ from typing import Literal
 import numpy as np
 
 from deltacal_gen.diagnosis.chance import Chance
+from deltacal_gen.diagnosis.charges import several
 from deltacal_gen.diagnosis.correction import POSITION, Correction
 from deltacal_gen.diagnosis.discrimination import NO_POSES, NONE_SO_FAR, more_poses
 from deltacal_gen.diagnosis.findings import Named
-from deltacal_gen.diagnosis.harmonics import order_of
+from deltacal_gen.diagnosis.harmonics import order_of, unrepeated
 from deltacal_gen.diagnosis.laws.laws import Lawful
 from deltacal_gen.diagnosis.laws.told import told
 from deltacal_gen.diagnosis.search import SCATTERED
@@ -140,7 +141,7 @@ def result_of(found: Diagnosed) -> Diagnosis:
         location=found.location,
         effects=(
             *([_periodic(found, found.spectrum)] if found.spectrum is not None else []),
-            *(_effect(n, final.problem.recording.joint_unit, found.chance, clock) for n in found.effects),
+            *(_effect(n, final.problem, found.chance, clock) for n in found.effects),
         ),
         search=Searched(best=found.chance.best, p_value=found.chance.p_value),
         final=Final(train_rms_mm=final.rms(), heldout_rms_mm=after, chi2_per_dof=of_final),
@@ -235,8 +236,9 @@ def _residuals(found: Diagnosed) -> Residuals:
     )
 
 
-def _effect(found: Named, joint_unit: str, chance: Chance, clock: str) -> Effect:
-    term, kernels = found.term.plain, found.term.kernels
+def _effect(found: Named, problem: Problem, chance: Chance, clock: str) -> Effect:
+    term, kernels, joint_unit = found.term.plain, found.term.kernels, problem.recording.joint_unit
+    read = unrepeated(problem, term) if several(term.effect) and found.fundamental is None else {}
     parameters: list[EffectParameter] = []
     std = found.std.reshape(found.term.values.shape)[:, : found.term.own]
     for r, (row, units) in enumerate(zip(term.values, row_coefficients(term, joint_unit), strict=True)):
@@ -272,6 +274,7 @@ def _effect(found: Named, joint_unit: str, chance: Chance, clock: str) -> Effect
         harmonic_of=None if found.fundamental is None else order_of(found.fundamental),
         indistinguishable_from=found.alike,
         instead_of_limb={str(limb): others for limb, others in found.elsewhere.items()} or None,
+        read_deg={str(limb): (low / DEG, high / DEG) for limb, (low, high) in read.items()} or None,
     )
 
 

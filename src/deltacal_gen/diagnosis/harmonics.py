@@ -18,6 +18,7 @@ import numpy as np
 
 from deltacal_gen.diagnosis.charges import several
 from deltacal_gen.estimation.problem import Problem
+from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.terms import Term
 
 LONGEST = 10  # waves of one period: what finer ones carry is a few per cent of any shape that a machine has
@@ -74,11 +75,28 @@ def series(orders: tuple[float, ...], least: float) -> Series:
 
 def travelled(problem: Problem) -> Sequence[float]:
     """Return how far each joint turned [rad]."""
-    body, rows = problem.body, np.unique(problem.readings.rows)
-    nowhere = np.zeros((len(body.q), 12))  # turns do not depend on the pose
-    turn = body.state(["turn"], nowhere, body.q, body.mechanism.rows(problem.robot))["turn"][rows]
-    travel: list[float] = np.ptp(turn, axis=0).tolist()
+    travel: list[float] = np.ptp(turns(problem)[np.unique(problem.readings.rows)], axis=0).tolist()
     return travel
+
+
+def turns(problem: Problem) -> Array:
+    """Return the turn of each joint (N, limbs) at each row [rad]."""
+    body = problem.body
+    nowhere = np.zeros((len(body.q), 12))  # turns do not depend on the pose
+    turn: Array = body.state(["turn"], nowhere, body.q, body.mechanism.rows(problem.robot))["turn"]
+    return turn
+
+
+def unrepeated(problem: Problem, wave: Term) -> dict[int, tuple[float, float]]:
+    """Return between which turns [rad] the joints of a wave were read that was not seen to repeat; of others nothing.
+
+    Beyond them it may be anything: any function of a joint that is smooth there is some wave.
+    """
+    travel = travelled(problem)
+    if order_of(wave) >= lowest_repeating(min(travel[i - 1] for i in wave.limbs)):
+        return {}
+    turn = turns(problem)[np.unique(problem.readings.rows)]
+    return {i: (float(turn[:, i - 1].min()), float(turn[:, i - 1].max())) for i in wave.limbs}
 
 
 def lowest_repeating(travel: float) -> float:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from deltacal_gen.diagnosis.charges import several
 from deltacal_gen.diagnosis.findings import Named
-from deltacal_gen.diagnosis.harmonics import lowest_repeating, order_of, travelled
+from deltacal_gen.diagnosis.harmonics import order_of, unrepeated
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.machine.places import at
 from deltacal_gen.machine.values import Robot
@@ -47,8 +47,7 @@ def _no_sine(fundamental: Named, effects: Sequence[Named]) -> str:
 
 def _waves(some: Sequence[Named], robot: Robot, problem: Problem) -> str:
     """Return waves of one kind, and which of them were not seen to repeat."""
-    travel = travelled(problem)
-    unseen = [n for n in some if order_of(n.term) < lowest_repeating(min(travel[i - 1] for i in n.term.limbs))]
+    unseen = [n for n in some if unrepeated(problem, n.term)]
     joints = sorted({limb for n in unseen for limb in n.term.limbs})
     of = "that joint" if len(joints) == 1 else "each of these joints"
     if len(some) == 1:

@@ -148,6 +148,8 @@ class Effect(Value):
     indistinguishable_from: tuple[str, ...]
     instead_of_limb: dict[str, tuple[int, ...]] | None = None
     """Limbs in whose place these others explain as much; of such limbs the one that gives least is named."""
+    read_deg: dict[str, tuple[float, float]] | None = None
+    """Of a wave that was not seen to repeat: between which turns each of its joints was read. Beyond, it is unknown."""
 
     @property
     def periods(self) -> tuple[float, ...]:

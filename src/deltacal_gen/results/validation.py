@@ -108,6 +108,8 @@ class Validation(Answer):
     """Set-ups that were placed by these readings; errors are then of poses left out in turn."""
     never_seen: tuple[NeverSeen, ...]
     """Joints that stand at angles which the diagnosis never saw."""
+    beyond_waves: tuple[NeverSeen, ...] | None = None
+    """Joints that stand beyond the turns at which a wave was read that was not seen to repeat."""
     rows: tuple[Row, ...]
     """The worst first."""
     unit: str | None = None

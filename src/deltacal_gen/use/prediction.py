@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from deltacal_gen.diagnosis.correction import Smooth, displacement, holding
+from deltacal_gen.diagnosis.harmonics import turns
 from deltacal_gen.errors import InputError
 from deltacal_gen.estimation.fit import fit
 from deltacal_gen.estimation.problem import Problem, pose_problem
@@ -27,13 +28,15 @@ from deltacal_gen.physics.ranges import outside
 from deltacal_gen.physics.reading import reading_shift
 from deltacal_gen.physics.terms import Term, of_reading, term_of
 from deltacal_gen.results.diagnosis import Diagnosis, SmoothCorrection
-from deltacal_gen.results.parts import MachineState
+from deltacal_gen.results.parts import MachineState, NeverSeen
 from deltacal_gen.results.result import Result
+from deltacal_gen.units import DEG
 
 Known = Result | Diagnosis | MachineState  # of a machine: what is predicted from
 LEAST_SEEN = 1e-9  # of the best seen combination of an instrument's unknowns: the least seen one is not seen at all
 CORRECTED = "correction_share"  # channel of a prediction
 COMMAND_STEPS = 20
+JUST_THERE = 1e-6  # deg: the readings that were diagnosed lie not beyond themselves
 COMMAND_SETTLED_MM = 1e-7  # by which a command with a smooth correction may still miss
 
 
@@ -294,6 +297,33 @@ def beyond_laws(result: Known, recording: Recording) -> np.ndarray:
     unread = kind_of(recording.kind).unread(recording)
     problem = pose_problem(calibrated_robot(result), _since(result, recording), (), found=unread, held=held)
     return outside(problem.body, problem.solve(problem.reference), held)
+
+
+def beyond_waves(result: Known, recording: Recording) -> tuple[NeverSeen, ...]:
+    """Return the joints that stand beyond the turns at which a wave was read that was not seen to repeat."""
+    waves = [e.read_deg for e in result.effects if e.read_deg] if isinstance(result, Diagnosis) else []
+    read = {int(limb): span for wave in waves for limb, span in wave.items()}
+    if not read:
+        return ()
+    unread = kind_of(recording.kind).unread(recording)
+    turn = turns(pose_problem(calibrated_robot(result), recording, (), found=unread)) / DEG
+    out = []
+    for limb, (low, high) in sorted(read.items()):
+        own = turn[:, limb - 1]
+        ways = [own[own < low - JUST_THERE], own[own > high + JUST_THERE]]
+        where = tuple((float(way.min()), float(way.max())) for way in ways if len(way))
+        if where:
+            out.append(NeverSeen(limb=limb, readings=sum(map(len, ways)), angles_deg=where))
+    return tuple(out)
+
+
+def waves_in_words(joint: NeverSeen) -> str:
+    """Return an entry of `beyond_waves` in words."""
+    where = ", ".join(f"{a:.0f} to {b:.0f}" for a, b in joint.angles_deg)
+    return (
+        f"joint {joint.limb} stands in {joint.readings} readings at turns beyond those of the "
+        f"diagnosis ({where} deg): a periodic error of it was not seen to repeat, and is not known there"
+    )
 
 
 def place_of(other: Recording, asked: Recording) -> Place:

@@ -31,6 +31,7 @@ from deltacal_gen.use.prediction import (
     Known,
     Place,
     beyond_laws,
+    beyond_waves,
     calibrated_robot,
     has_law,
     prediction_problem,
@@ -89,6 +90,7 @@ def validate(result: Result | Diagnosis, recording: Recording) -> Validation:
         outside_law=int(beyond_laws(result, recording).sum()) if has_law(result) else None,
         repairs=recording.repairs or None,
         never_seen=never_seen(result.seen, calibrated_robot(result).joint_sign * recording.joints),
+        beyond_waves=beyond_waves(result, recording) or None,
         iso9283=_repeated(found, left) if found.kind.positions else None,
         iso230=_of_axis(found, left, recording) if found.kind.positions else None,
     )

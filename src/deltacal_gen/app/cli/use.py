@@ -229,6 +229,7 @@ def validate(
 def _show_validation(found: Validation) -> None:
     """Print the error against the noise, and what is said of it."""
     from deltacal_gen.diagnosis.spectrum import words
+    from deltacal_gen.use.prediction import waves_in_words
 
     screen.print(escaped(found.headline))
     if found.seen:
@@ -241,6 +242,8 @@ def _show_validation(found: Validation) -> None:
         screen.print(f"{found.outside_law} rows lie outside the range in which the law was found")
     for joint in found.never_seen:
         screen.print(words(joint))
+    for joint in found.beyond_waves or ():
+        screen.print(waves_in_words(joint))
     if (iso := found.iso9283) is not None:
         screen.print(
             f"ISO 9283, {iso.poses} poses: accuracy AP {decimals(iso.AP_mean_mm)} mm (largest "

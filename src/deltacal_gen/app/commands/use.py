@@ -286,6 +286,8 @@ def predict(
     placed = None if place is None else prediction.place_of(as_recording(place, robot), given)
     for joint in spectrum.never_seen(known.seen, robot.joint_sign * given.joints):
         tell(spectrum.words(joint))
+    for joint in prediction.beyond_waves(known, given):
+        tell(prediction.waves_in_words(joint))
     done = prediction.predict(known, given, placed)
     if kind_of(given.kind).in_differences(given.measurement):
         tell('Values are changes from the first row, as the sidecar says (zero = "incremental").')
