@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 import sympy as sp
@@ -314,6 +315,7 @@ def reaches(targets: Iterable[str], *, loaded: bool) -> list[Law]:
     return found
 
 
+@cache  # nothing changes it, and SymPy takes a tenth of a second for it
 def displaced() -> dict[str, sp.MatrixExpr]:
     """Return how the measured point moves with a turn of the base and with a shift of the tool, at zero.
 

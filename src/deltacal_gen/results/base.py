@@ -15,6 +15,7 @@ import json
 import re
 from collections.abc import Iterator, Mapping
 from enum import Enum
+from functools import cache
 from types import NoneType
 from typing import TYPE_CHECKING, Annotated, Any, Self, Union, dataclass_transform, get_args, get_type_hints
 
@@ -138,6 +139,7 @@ class Value:
         return f"{type(self).__name__}({', '.join(f'{name}={getattr(self, name)!r}' for name in self._fields)})"
 
     @classmethod
+    @cache  # annotations are read anew, word by word, at every call
     def types(cls) -> dict[str, Any]:
         """Return what each field holds where it is written."""
         hints = get_type_hints(cls, include_extras=True)
