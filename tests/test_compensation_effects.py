@@ -32,6 +32,8 @@ from deltacal_gen.use.spans import Spans, spans
 from deltacal_gen.use.tables import export_table, read_table
 from tests.every_effect import ON_MACHINES, channels, constants, machine_with, machines, sized, targets
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 OVER = Spans({"warming": (-2.0, 15.0), "payload": (0.0, 3.0), "time": (0.0, 2.0)})
 
 

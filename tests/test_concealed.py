@@ -17,7 +17,10 @@ import deltacal_gen as dc
 
 CASES = Path(__file__).resolve().parents[2] / "shared" / "concealed"
 FOLDERS = sorted(p.parent for p in CASES.glob("*/truth.json"))
-pytestmark = pytest.mark.skipif(not FOLDERS, reason="no folder 'shared/concealed' beside the checkout")
+pytestmark = [
+    pytest.mark.skipif(not FOLDERS, reason="no folder 'shared/concealed' beside the checkout"),
+    pytest.mark.usefixtures("compiled"),
+]
 
 MEASURED = ("x_mm", "y_mm", "z_mm", "distance_mm", "gauge_mm")
 

@@ -16,6 +16,8 @@ from deltacal_gen.physics.terms import Term
 from tests.benchmarks.honesty_nulls import ROBOT, SIGMA, drawn, null
 from tests.left_out import effect, record
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 AXES = np.array([0.6, 0.8, 1.4])  # about of unit mean square
 
 

@@ -22,6 +22,8 @@ from deltacal_gen.machine.rotation import from_vector, to_vector
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.simulation import simulate
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 NOISE = 0.005
 FRAME = (np.array([0.1, -0.2, 0.9]), np.array([900.0, -500.0, 1200.0]))
 BASE_POINT = (420.0, -150.0, 40.0)

@@ -42,6 +42,8 @@ from deltacal_gen.use.spans import channels_of
 from deltacal_gen.use.tables import export_table
 from tests.planned import log_determinant
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 MACHINE = load_mechanism("hexapod")
 FOLDER = example("hexapod")
 NOISE = 0.003  # mm

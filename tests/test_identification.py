@@ -26,6 +26,8 @@ from deltacal_gen.results.shown import needless
 from deltacal_gen.units import DEG, to_internal
 from deltacal_gen.use.prediction import predict
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 NOISE = 0.005  # mm, a laser tracker
 BASE_POINT = (420.0, -150.0, 40.0)
 POINT = np.array([25.0, -10.0, -45.0])

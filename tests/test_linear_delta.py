@@ -28,6 +28,8 @@ from deltacal_gen.physics.terms import blank, coefficients, load_effect
 from deltacal_gen.units import DEG
 from deltacal_gen.use.prediction import predict
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 PRINTER = {
     "robot": {"name": "printer", "mechanism": "linear_delta"},
     "geometry": {

@@ -29,6 +29,8 @@ from deltacal_gen.planning import matrix, optimal, planning, reach, singularitie
 from deltacal_gen.units import DEG
 from tests.planned import design, log_determinant, rank_table
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 B, A = 200.0, 51.0  # mm: radii of base and platform (Bai 2015, Table 1)
 TABLES: dict[str, Any] = {
     "robot": {"mechanism": "delta"},

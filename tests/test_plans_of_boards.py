@@ -17,6 +17,8 @@ from deltacal_gen.files.sidecar import read_measurement
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.planning import boards
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 EXAMPLES = Path(__file__).parents[1] / "src/deltacal_gen/examples"
 ROBOTS = {"serial/dh": EXAMPLES / "serial/robot.toml", "delta/18": EXAMPLES / "delta/robot.toml"}
 COUNT = 26

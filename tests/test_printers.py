@@ -30,6 +30,8 @@ from deltacal_gen.units import DEG
 from deltacal_gen.use.comparison import flattered
 from deltacal_gen.use.firmware import Printed, firmware_lines
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 Spoil = Callable[[Array, list[Any]], tuple[Array, list[Any]]]
 STEP = 40.0 / (200 * 16)
 Z_OFFSET = 1.5

@@ -29,6 +29,8 @@ from tests.benchmarks.concealed_machines import EVERY, kinds
 from tests.conftest import plausible
 from tests.left_out import DELTA, SIGMA, channels, diagnosis, effect, machine, named, record
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 ROBOT = machine()
 N = 120
 READ = [(m, k) for m in EVERY for k in ("position", "pose") if k in kinds(load_mechanism(m))]

@@ -18,6 +18,8 @@ from tests.benchmarks.honesty_rounds import round_of
 from tests.benchmarks.honesty_starts import SORTS as SORTS_OF_ROUNDS
 from tests.benchmarks.honesty_starts import start
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 
 def test_noise_is_of_unit_size_and_of_its_sort() -> None:
     rng = np.random.default_rng(1)
