@@ -22,6 +22,7 @@ from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.identification.drawing import strained
 from deltacal_gen.identification.together import deviance_of
+from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.machine.registry import Array, load_mechanism
 from deltacal_gen.physics.terms import Term, blank
 from tests.benchmarks.concealed_cases import generate
@@ -87,6 +88,7 @@ def test_two_events_each_taken_for_the_other_are_exchanged() -> None:
 
 
 @pytest.mark.parametrize(("name", "kind"), READ)
+@using(Backend.NUMPY)  # one search of a machine, as of one that was just added, does not pay for compiling it
 def test_every_machine_with_all_it_may_have_is_searched(name: str, kind: str) -> None:
     """Effects of two targets of which a machine has one; turns of an instrument of which nothing is read."""
     cases = (generate("null", (), (7, 0, k), name) for k in itertools.count())
