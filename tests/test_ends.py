@@ -25,6 +25,8 @@ from deltacal_gen.physics.terms import Term
 from tests.conftest import COLUMNS, plausible, scattered, wanted
 from tests.left_out import DELTA, SIGMA, channels, effect, machine
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 ROBOT = machine()
 N = 40
 

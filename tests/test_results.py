@@ -23,6 +23,8 @@ from deltacal_gen.results.reader import ANSWERS, read_answer, read_result, type_
 from deltacal_gen.results.result import Remedy, Result
 from deltacal_gen.results.shown import rounded
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 DELTA, GEARBOX = example("delta"), example("gearbox")
 UNITS = ("_mm", "_deg", "_Nm", "_N", "_A", "_1", "_Hz", "_s", "_kg")
 BARE = {  # numbers without a unit: counts, parts of a whole, figures of statistics, what `unit` beside them tells
