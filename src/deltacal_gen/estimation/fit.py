@@ -40,7 +40,8 @@ CONVERGED = 1e-4  # of chi2: what a last step could still gain; parameters then 
 PATIENCE, SETTLED, UNSETTLED = 30, 5e-2, 1.0
 CRAWLING, CRAWLS = 5, 0.9  # steps in a row, after each of which so much of what was promised still is
 ESTIMATED_AT = 3  # iteration in which at the latest the weight of repeats is estimated: the fit is then close
-OPPOSITE = 0.03  # of what a fit left the drawing by: where it begins on the other side; a third valley may lie farther
+# of what a fit left the drawing by: where it begins on the other side; nearer it may come back, farther be led astray
+OPPOSITE = 0.03, 0.3
 ANY = 1e3  # ordinary errors: a prior of encoder offsets that never pulls
 FEW = 12  # lines that a message lists
 SPOILT = 30.0  # times the median residual: a reading so far off is named when a fit does not converge
@@ -121,7 +122,8 @@ def fit(
         others += [] if drawn else _elsewhere(problem, errors, problem.reference)
     across &= instrument is None or tolerance <= CONVERGED  # of a search the first fit looks there, and the last
     if across and unforeseen(found):
-        others += _elsewhere(problem, errors, problem.reference - OPPOSITE * (found.errors - problem.reference))
+        way = found.errors - problem.reference
+        others += [state for part in OPPOSITE for state in _elsewhere(problem, errors, problem.reference - part * way)]
     # with the noise that is known by now: taken for noise, what a start leaves would lead where this fit went
     ends = [ended(start, False, noise=found.sigma)[0] for start in others]
     ends = [end for end in ends if end.history[-1] <= max(SETTLED, found.history[-1])]  # others are on their way
