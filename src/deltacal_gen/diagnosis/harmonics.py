@@ -92,11 +92,10 @@ def unrepeated(problem: Problem, wave: Term) -> dict[int, tuple[float, float]]:
 
     Beyond them it may be anything: any function of a joint that is smooth there is some wave.
     """
-    travel = travelled(problem)
-    if order_of(wave) >= lowest_repeating(min(travel[i - 1] for i in wave.limbs)):
-        return {}
     turn = turns(problem)[np.unique(problem.readings.rows)]
-    return {i: (float(turn[:, i - 1].min()), float(turn[:, i - 1].max())) for i in wave.limbs}
+    read = {i: (float(turn[:, i - 1].min()), float(turn[:, i - 1].max())) for i in wave.limbs}
+    least = min(high - low for low, high in read.values())
+    return {} if order_of(wave) >= lowest_repeating(least) else read
 
 
 def lowest_repeating(travel: float) -> float:

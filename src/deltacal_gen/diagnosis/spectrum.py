@@ -12,7 +12,7 @@ the function falls back to nothing: it does not extrapolate.
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -181,25 +181,39 @@ def never_seen(known: Seen | None, turns: Array) -> tuple[NeverSeen, ...]:
     turns : (N, n_q) array
         Joints [rad].
     """
-    out = []
     if known is None:
         return ()
-    for joint in known.joints:
-        turn = turns[:, joint.limb - 1]
-        far = unseen(turn, joint.angles_deg, known.within_deg)
-        if far.any():
-            where = tuple(seen(turn[far], 180.0 / known.within_deg))
-            out.append(NeverSeen(limb=joint.limb, readings=int(far.sum()), angles_deg=where))
-    return tuple(out)
+
+    def spans(turn: Array) -> list[tuple[float, float]]:
+        return seen(turn, 180.0 / known.within_deg)
+
+    each = ((j.limb, turns[:, j.limb - 1], j.angles_deg) for j in known.joints)
+    return standing((limb, turn, unseen(turn, angles, known.within_deg), spans) for limb, turn, angles in each)
+
+
+Spans = Callable[[Array], list[tuple[float, float]]]  # between which angles [deg] turns [rad] lie
+
+
+def standing(joints: Iterable[tuple[int, Array, np.ndarray, Spans]]) -> tuple[NeverSeen, ...]:
+    """Return how often joints stand far off, and where; each with its turns (N,), which are far, and their spans."""
+    return tuple(
+        NeverSeen(limb=limb, readings=int(far.sum()), angles_deg=tuple(spans(turn[far])))
+        for limb, turn, far, spans in joints
+        if far.any()
+    )
 
 
 def words(joint: NeverSeen) -> str:
     """Return an entry of `never_seen` in words."""
-    where = ", ".join(f"{a:.0f} to {b:.0f}" for a, b in joint.angles_deg)
-    return (
-        f"joint {joint.limb} stands in {joint.readings} readings at angles that the diagnosis never saw "
-        f"({where} deg within the turn): its periodic error is not corrected there"
+    return stands(
+        joint, "at angles that the diagnosis never saw", " within the turn", "its periodic error is not corrected there"
     )
+
+
+def stands(joint: NeverSeen, place: str, of: str, so: str) -> str:
+    """Return in words how often a joint stands at a place, between which angles, and what is so there."""
+    where = ", ".join(f"{a:.0f} to {b:.0f}" for a, b in joint.angles_deg)
+    return f"joint {joint.limb} stands in {joint.readings} readings {place} ({where} deg{of}): {so}"
 
 
 def unseen(turn: Array, intervals: Sequence[Sequence[float]], within: float) -> np.ndarray:

@@ -90,7 +90,7 @@ def fit(
     tolerance : float
         What a last step may still gain of chi2.
     across : bool
-        Begin on the other side of the drawing, too, where the fit left it to one side.
+        Begin on the other side of the drawing, too, where the machine made linear there did not foresee the fit.
     known : (n_c,) array of bool, optional
         Coefficients of effects that a fit before had: no saddle is sought of these within a search.
 
@@ -112,8 +112,7 @@ def fit(
 
     begun = problem.begin(errors, machine) if instrument is None else instrument
     found, rows = ended(State(errors, begun, machine), must_converge)
-    sought = found.unseen if known is None else found.unseen & ~known
-    if found.solution.posterior and (tolerance <= CONVERGED or sought.any()):
+    if found.solution.posterior and (tolerance <= CONVERGED or _asks_for_saddles(found, known)):
         found = _beside(found, rows, rule, ended)
     others: list[State] = []
     if instrument is None:
@@ -128,6 +127,12 @@ def fit(
     ends = [ended(start, False, noise=found.sigma)[0] for start in others]
     ends = [end for end in ends if end.history[-1] <= max(SETTLED, found.history[-1])]  # others are on their way
     return min([found, *ends], key=lambda end: rows.objective(end, rule.weight or 0.0) + tolerance * (end is not found))
+
+
+def _asks_for_saddles(found: Fit, known: np.ndarray | None) -> bool:
+    """Tell whether readings see nothing of a coefficient of which no fit before was asked for a saddle."""
+    unseen = found.unseen
+    return bool((unseen if known is None else unseen & ~known).any())
 
 
 def _beside(found: Fit, rows: _Rows, rule: Solver, ended: Callable[[State, bool, bool], tuple[Fit, _Rows]]) -> Fit:

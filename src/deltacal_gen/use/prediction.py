@@ -5,12 +5,14 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 
 from deltacal_gen.diagnosis.correction import Smooth, displacement, holding
 from deltacal_gen.diagnosis.harmonics import turns
+from deltacal_gen.diagnosis.spectrum import standing, stands
 from deltacal_gen.errors import InputError
 from deltacal_gen.estimation.fit import fit
 from deltacal_gen.estimation.problem import Problem, pose_problem
@@ -306,24 +308,24 @@ def beyond_waves(result: Known, recording: Recording) -> tuple[NeverSeen, ...]:
     if not read:
         return ()
     unread = kind_of(recording.kind).unread(recording)
-    turn = turns(pose_problem(calibrated_robot(result), recording, (), found=unread)) / DEG
-    out = []
-    for limb, (low, high) in sorted(read.items()):
-        own = turn[:, limb - 1]
-        ways = [own[own < low - JUST_THERE], own[own > high + JUST_THERE]]
-        where = tuple((float(way.min()), float(way.max())) for way in ways if len(way))
-        if where:
-            out.append(NeverSeen(limb=limb, readings=sum(map(len, ways)), angles_deg=where))
-    return tuple(out)
+    turn = turns(pose_problem(calibrated_robot(result), recording, (), found=unread))
+    every = [(limb, turn[:, limb - 1], span) for limb, span in sorted(read.items())]
+    return standing(
+        (limb, own, (own / DEG < low - JUST_THERE) | (own / DEG > high + JUST_THERE), partial(_on_both_sides, low))
+        for limb, own, (low, high) in every
+    )
+
+
+def _on_both_sides(low: float, turn: Array) -> list[tuple[float, float]]:
+    """Return between which angles [deg] turns (N,) [rad] lie, those below `low` [deg] and the others."""
+    ways = (turn[turn / DEG < low] / DEG, turn[turn / DEG >= low] / DEG)
+    return [(float(way.min()), float(way.max())) for way in ways if len(way)]
 
 
 def waves_in_words(joint: NeverSeen) -> str:
     """Return an entry of `beyond_waves` in words."""
-    where = ", ".join(f"{a:.0f} to {b:.0f}" for a, b in joint.angles_deg)
-    return (
-        f"joint {joint.limb} stands in {joint.readings} readings at turns beyond those of the "
-        f"diagnosis ({where} deg): a periodic error of it was not seen to repeat, and is not known there"
-    )
+    so = "a periodic error of it was not seen to repeat, and is not known there"
+    return stands(joint, "at turns beyond those of the diagnosis", "", so)
 
 
 def place_of(other: Recording, asked: Recording) -> Place:
