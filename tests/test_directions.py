@@ -67,6 +67,13 @@ def test_noise_with_directions_beside_tails_and_time_is_noise(k: int) -> None:
     assert "times that along" in model.text
 
 
+@pytest.mark.parametrize("k", [25, 37])
+def test_directions_that_rows_show_once_freed_are_no_slip(k: int) -> None:
+    """Before they are, noise that is larger along one axis is one that wanders beside an instrument that slips."""
+    found = diagnose(ROBOT, null("AR mixed", k)).answer()
+    assert (found.verdict, found.effects) == ("adequate", ())
+
+
 def _read(*effects: Term, seed: int = 11) -> Recording:
     exact = record(ROBOT, *effects, n=100, sigma=0.0, declared=False)
     e = np.random.default_rng(seed).standard_normal((100, 3)) * AXES / np.sqrt(np.mean(AXES**2))

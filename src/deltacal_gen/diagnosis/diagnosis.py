@@ -57,7 +57,7 @@ from deltacal_gen.estimation.fit import CONVERGED, fit, held_out_errors, rough
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.prior import with_prior
 from deltacal_gen.estimation.problem import Problem, pose_problem
-from deltacal_gen.estimation.residuals import lengths, rms
+from deltacal_gen.estimation.residuals import Repeats, lengths, rms
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.files.checks import check_units, set_aside
 from deltacal_gen.files.robot import Robot
@@ -296,7 +296,9 @@ def _in_noise(begun: _Begun, progress: Progress) -> tuple[Fit, Outcome]:
     calm = None if lean else together(first)
     if calm is not None:
         progress("noise that hangs together")
-        again = fit(some, Prior(), errors=first.errors, instrument=first.instrument, repeats=calm, must_converge=False)
+        again = _in(calm, first)
+        if (showing := together(again)) is not None:  # rows freed of one another show what directions differ in
+            again = _in(showing, again)
         if deviance_of(again) < deviance(found):  # noise alone explains more than all that was named
             other = searched(some, again, begun.terms, lean, progress)
             if deviance(other) < deviance(found):
@@ -304,6 +306,11 @@ def _in_noise(begun: _Begun, progress: Progress) -> tuple[Fit, Outcome]:
     if calm is not None or (found.search.effects and not lean):
         found = beside_noise(found, lean)
     return first, _without_walks(found)
+
+
+def _in(noise: Repeats, at: Fit) -> Fit:
+    """Return a fit in other noise."""
+    return fit(at.problem, Prior(), errors=at.errors, instrument=at.instrument, repeats=noise, must_converge=False)
 
 
 def _without_walks(found: Outcome) -> Outcome:
