@@ -13,7 +13,7 @@ from test_serial import robot
 
 from deltacal_gen.app import cli, commands
 from deltacal_gen.diagnosis.search import Search
-from deltacal_gen.diagnosis.spectrum import MOST_OUT, STANDS_OUT, Spectrum, never_seen, periodic, seen, unseen, words
+from deltacal_gen.diagnosis.spectrum import MOST_OUT, STANDS_OUT, Spectrum, never_seen, periodic, seen, unseen
 from deltacal_gen.estimation.fit import fit
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import pose_problem
@@ -211,7 +211,7 @@ def test_angles_that_were_never_seen_are_told() -> None:
     told = never_seen(known, np.array([[0.0, 200.0], [0.0, 90.0]]) * DEG)
     assert told == (NeverSeen(limb=2, readings=1, angles_deg=((200.0, 200.0),)),)
     assert never_seen(None, np.zeros((1, 6))) == ()
-    assert words(told[0]).startswith(f"joint {told[0].limb} stands in {told[0].readings} readings at angles")
+    assert told[0].words.startswith(f"joint {told[0].limb} stands in {told[0].readings} readings at angles")
 
 
 def test_another_session_tells_further_of_errors_where_the_diagnosis_never_was(

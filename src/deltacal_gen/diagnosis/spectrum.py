@@ -203,19 +203,6 @@ def standing(joints: Iterable[tuple[int, Array, np.ndarray, Spans]]) -> tuple[Ne
     )
 
 
-def words(joint: NeverSeen) -> str:
-    """Return an entry of `never_seen` in words."""
-    return stands(
-        joint, "at angles that the diagnosis never saw", " within the turn", "its periodic error is not corrected there"
-    )
-
-
-def stands(joint: NeverSeen, place: str, of: str, so: str) -> str:
-    """Return in words how often a joint stands at a place, between which angles, and what is so there."""
-    where = ", ".join(f"{a:.0f} to {b:.0f}" for a, b in joint.angles_deg)
-    return f"joint {joint.limb} stands in {joint.readings} readings {place} ({where} deg{of}): {so}"
-
-
 def unseen(turn: Array, intervals: Sequence[Sequence[float]], within: float) -> np.ndarray:
     """Tell which turns (N,) [rad] are farther than `within` [deg] from all angles that were seen."""
     angle = np.degrees(turn)[:, None] % 360.0

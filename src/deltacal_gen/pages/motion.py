@@ -25,7 +25,6 @@ from deltacal_gen.results.motion import (
     TorqueEffect,
     Trace,
     by_joint,
-    not_shown,
 )
 from deltacal_gen.results.parts import Source
 
@@ -105,7 +104,6 @@ def validation(found: MotionValidation, traces: Sequence[Trace]) -> str:
         title="Validation in motion",
         found=found,
         headline=found.headline,
-        unshown=not_shown(found.unshown_by_joint),
         errors=[(str(j), *map(_figure, values), unit) for j, (*values, unit) in enumerate(each, 1)],
         noise="as declared" if found.noise.source == Source.DECLARED else "as the model's own recording left it",
         time=[_picture(f"joint {t.limb}", partial(over_time, trace=t, bare=True)) for t in traces],

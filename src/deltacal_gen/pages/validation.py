@@ -42,7 +42,6 @@ def page(found: Validation) -> str:
         found=found,
         headline=found.headline,
         unit=unit,
-        placed=[p.sentence for p in found.placed or ()],
         norms=norms(found.iso9283, found.iso230),
         rows=[(str(row.line), f"{row.error_mm / length:.4g}") for row in found.rows],
         files=[file.name for file in found.made.inputs] if found.made else [],

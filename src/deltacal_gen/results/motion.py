@@ -21,7 +21,7 @@ from deltacal_gen.results.diagnosis import (
     Searched,
     Verdict,
 )
-from deltacal_gen.results.parts import Made, Missing, RobotTables, Source
+from deltacal_gen.results.parts import SEEN, Made, Missing, RobotTables, Source
 from deltacal_gen.results.result import OpenCombination, Parameter, Read, Regularisation
 from deltacal_gen.results.study import Suspect
 
@@ -416,6 +416,12 @@ class MotionValidation(Answer):
         """The error, joint by joint."""
         each = zip(self.rms_by_joint, self.unit_by_joint, strict=True)
         return f"{self.readings} readings in motion: rms {by_limb(each)}"
+
+    @property
+    def told(self) -> tuple[str, ...]:
+        """What is to be known beside the error: of which samples it is, and where the model is not known."""
+        law = f"{self.outside_law} samples lie outside the range in which the law was found" if self.outside_law else ""
+        return tuple(words for words in (SEEN if self.seen else "", law, not_shown(self.unshown_by_joint)) if words)
 
 
 def not_shown(samples: Sequence[int]) -> str | None:

@@ -7,6 +7,7 @@ from typing import Any, ClassVar, Literal
 
 from deltacal_gen.results.base import Numbers, Rows, Value, Vector
 
+SEEN = "the calibration was made of these very readings: they are no check of it"
 Table = dict[str, Any]  # of a robot file; which keys it has, the mechanism says: `robot.robot_from_dict` checks them
 
 
@@ -106,6 +107,22 @@ class NeverSeen(Value):
     """How many stand there."""
     angles_deg: tuple[tuple[float, float], ...]
     """Where, within the turn."""
+
+    @property
+    def words(self) -> str:
+        """Where it stands, and that its periodic error is not corrected there."""
+        so = "its periodic error is not corrected there"
+        return self._stands("at angles that the diagnosis never saw", " within the turn", so)
+
+    @property
+    def beyond_words(self) -> str:
+        """The same of a joint beyond the turns at which a wave was read that was not seen to repeat."""
+        so = "a periodic error of it was not seen to repeat, and is not known there"
+        return self._stands("at turns beyond those of the diagnosis", "", so)
+
+    def _stands(self, place: str, of: str, so: str) -> str:
+        where = ", ".join(f"{a:.0f} to {b:.0f}" for a, b in self.angles_deg)
+        return f"joint {self.limb} stands in {self.readings} readings {place} ({where} deg{of}): {so}"
 
 
 class Continued(Value):

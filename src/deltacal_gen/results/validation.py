@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Literal
 
 from deltacal_gen.results.base import Answer, Value
-from deltacal_gen.results.parts import Made, NeverSeen
+from deltacal_gen.results.parts import SEEN, Made, NeverSeen
 
 
 class Row(Value):
@@ -135,6 +135,19 @@ class Validation(Answer):
         return (
             f"{self.readings} readings: rms {self.rms_mm / length:.4g} {unit}, largest {self.worst_mm / length:.4g} "
             f"{unit} (noise {self.sigma_mm / length:.3g} {unit})"
+        )
+
+    @property
+    def told(self) -> tuple[str, ...]:
+        """What is to be known beside the error: of which readings it is, and where the model is not known."""
+        lines, outside = ", ".join(map(str, self.gross_errors or ())), self.outside_law
+        return (
+            *([SEEN] if self.seen else []),
+            *([f"points found wrongly in lines {lines}: no figure counts them"] if lines else []),
+            *(p.sentence for p in self.placed or ()),
+            *([f"{outside} rows lie outside the range in which the law was found"] if outside else []),
+            *(joint.words for joint in self.never_seen),
+            *(joint.beyond_words for joint in self.beyond_waves or ()),
         )
 
     def table(self) -> tuple[Row, ...]:

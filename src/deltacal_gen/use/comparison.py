@@ -12,7 +12,6 @@ from typing import Protocol
 
 import numpy as np
 
-from deltacal_gen.diagnosis import spectrum
 from deltacal_gen.errors import InputError
 from deltacal_gen.files.robot import Robot, robot_of
 from deltacal_gen.identification import carried
@@ -261,7 +260,7 @@ def _flattered(found: Result) -> str:
 
 def said_of_carried(found: Result) -> list[str]:
     """Return what became of the effects that another session's diagnosis knows."""
-    told = [*map(spectrum.words, found.never_seen or ())]
+    told = [joint.words for joint in found.never_seen or ()]
     told += [] if found.continued is None else [carried.words(found.continued, robot_of(found.robot))]
     lost = [
         f"not held: {e.name} of the diagnosed session: this one lacks {e.missing}" for e in found.physics_not_held or ()

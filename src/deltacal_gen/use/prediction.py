@@ -12,7 +12,7 @@ import numpy as np
 
 from deltacal_gen.diagnosis.correction import Smooth, displacement, holding
 from deltacal_gen.diagnosis.harmonics import turns
-from deltacal_gen.diagnosis.spectrum import standing, stands
+from deltacal_gen.diagnosis.spectrum import standing
 from deltacal_gen.errors import InputError
 from deltacal_gen.estimation.fit import fit
 from deltacal_gen.estimation.problem import Problem, pose_problem
@@ -320,12 +320,6 @@ def _on_both_sides(low: float, turn: Array) -> list[tuple[float, float]]:
     """Return between which angles [deg] turns (N,) [rad] lie, those below `low` [deg] and the others."""
     ways = (turn[turn / DEG < low] / DEG, turn[turn / DEG >= low] / DEG)
     return [(float(way.min()), float(way.max())) for way in ways if len(way)]
-
-
-def waves_in_words(joint: NeverSeen) -> str:
-    """Return an entry of `beyond_waves` in words."""
-    so = "a periodic error of it was not seen to repeat, and is not known there"
-    return stands(joint, "at turns beyond those of the diagnosis", "", so)
 
 
 def place_of(other: Recording, asked: Recording) -> Place:

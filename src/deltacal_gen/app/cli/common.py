@@ -17,7 +17,6 @@ if TYPE_CHECKING:
 
 screen = Console(highlight=False)
 aside = Console(stderr=True, highlight=False)
-SEEN = "the calibration was made of these very readings: they are no check of it"
 
 RobotFile = Annotated[Path, typer.Argument(metavar="ROBOT", help="robot file (TOML)", show_default=False)]
 RecordingFile = Annotated[Path, typer.Argument(metavar="RECORDING", help="recording (CSV)", show_default=False)]
@@ -107,16 +106,12 @@ def print_json(answer: Answer | Sequence[Answer]) -> None:
 
 def show_any(found: Any, shown: Callable[[Any], None]) -> None:
     """Print an answer: by its own function, or as text where it is one in motion."""
-    from deltacal_gen.results.motion import MotionModel, MotionValidation, not_shown, put_right
+    from deltacal_gen.results.motion import MotionModel, MotionValidation, put_right
 
     if isinstance(found, MotionModel | MotionValidation):
         screen.print(escaped(str(found)))
-        if isinstance(found, MotionValidation) and found.seen:
-            screen.print(SEEN)
-        if isinstance(found, MotionValidation) and found.outside_law:
-            screen.print(f"{found.outside_law} samples lie outside the range in which the law was found")
-        if isinstance(found, MotionValidation) and (words := not_shown(found.unshown_by_joint)):
-            screen.print(words)
+        for words in found.told if isinstance(found, MotionValidation) else ():
+            screen.print(escaped(words))
     else:
         shown(found)
     told = getattr(found, "motion", None) or found

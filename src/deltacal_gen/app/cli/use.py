@@ -9,7 +9,6 @@ import typer
 from rich.table import Table
 
 from deltacal_gen.app.cli.common import (
-    SEEN,
     Blocks,
     Decimal,
     Json,
@@ -228,22 +227,8 @@ def validate(
 
 def _show_validation(found: Validation) -> None:
     """Print the error against the noise, and what is said of it."""
-    from deltacal_gen.diagnosis.spectrum import words
-    from deltacal_gen.use.prediction import waves_in_words
-
-    screen.print(escaped(found.headline))
-    if found.seen:
-        screen.print(SEEN)
-    if found.gross_errors:
-        screen.print(f"points found wrongly in lines {', '.join(map(str, found.gross_errors))}: no figure counts them")
-    for p in found.placed or ():
-        screen.print(escaped(p.sentence))
-    if found.outside_law:
-        screen.print(f"{found.outside_law} rows lie outside the range in which the law was found")
-    for joint in found.never_seen:
-        screen.print(words(joint))
-    for joint in found.beyond_waves or ():
-        screen.print(waves_in_words(joint))
+    for words in (found.headline, *found.told):
+        screen.print(escaped(words))
     if (iso := found.iso9283) is not None:
         screen.print(
             f"ISO 9283, {iso.poses} poses: accuracy AP {decimals(iso.AP_mean_mm)} mm (largest "

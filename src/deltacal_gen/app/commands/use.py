@@ -285,9 +285,9 @@ def predict(
     given = as_known(known, recording, robot, need_measured=False)
     placed = None if place is None else prediction.place_of(as_recording(place, robot), given)
     for joint in spectrum.never_seen(known.seen, robot.joint_sign * given.joints):
-        tell(spectrum.words(joint))
+        tell(joint.words)
     for joint in prediction.beyond_waves(known, given):
-        tell(prediction.waves_in_words(joint))
+        tell(joint.beyond_words)
     done = prediction.predict(known, given, placed)
     if kind_of(given.kind).in_differences(given.measurement):
         tell('Values are changes from the first row, as the sidecar says (zero = "incremental").')
