@@ -40,7 +40,10 @@ STEERING = {
     "identification.repeats": ("ENOUGH", "MOST_TAKEN", "FEW_LEVELS", "ALIKE"),
     "identification.rounding": ("TOLD", "FEWEST"),
     "identification.together": ("PROVEN", "PRICE", "MANY"),
-    "identification.drawing": ("ANOTHER", "ANOTHERS", "WIDER", "ABOVE_NOISE", "ABOVE_SIZE", "SPARE"),
+    "identification.drawing": (
+        *("ANOTHER", "ANOTHERS", "PROMISED", "NEARLY", "WIDER"),
+        *("ABOVE_NOISE", "ABOVE_SIZE", "SPARE"),
+    ),
     "identification.folds": ("FOLDS",),
     "identification.orders": ("PROVEN", "SAME_NOISE"),
     "diagnosis.answer": ("SHORT",),

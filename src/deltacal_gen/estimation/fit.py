@@ -61,7 +61,7 @@ def fit(
     drop_gross: bool = True,
     must_converge: bool = True,
     tolerance: float = CONVERGED,
-    across: bool = True,
+    across: bool | None = None,
     known: np.ndarray | None = None,
 ) -> Fit:
     """Fit a machine's parameters and the instrument to readings, exactly.
@@ -89,8 +89,9 @@ def fit(
         Otherwise the last state is returned when the iteration does not end.
     tolerance : float
         What a last step may still gain of chi2.
-    across : bool
+    across : bool, optional
         Begin on the other side of the drawing, too, where the machine made linear there did not foresee the fit.
+        By default so does the first fit of a search, and the last.
     known : (n_c,) array of bool, optional
         Coefficients of effects that a fit before had: no saddle is sought of these within a search.
 
@@ -119,7 +120,7 @@ def fit(
         own = slice(len(problem.scale), None)
         others += turned(problem, State(found.errors, found.instrument, found.machine), found.covariance[own, own])
         others += [] if drawn else _elsewhere(problem, errors, problem.reference)
-    across &= instrument is None or tolerance <= CONVERGED  # of a search the first fit looks there, and the last
+    across = (instrument is None or tolerance <= CONVERGED) if across is None else across
     if across and unforeseen(found):
         way = found.errors - problem.reference
         others += [state for part in OPPOSITE for state in _elsewhere(problem, errors, problem.reference - part * way)]

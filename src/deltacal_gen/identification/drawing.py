@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from typing import Any
 
 import numpy as np
 
@@ -22,6 +23,8 @@ from deltacal_gen.units import file_unit, to_internal
 ANOTHER = 1e-9  # chance that a machine which is as it is known is so far off
 ANOTHERS = 0.1  # of what the drawn machine leaves: one that leaves less is the machine that was read
 FARTHEST = 3  # parameters that are told of it
+NEARLY = 2.0  # times that: what is fitted to the end
+PROMISED = 0.1  # of the squares that are left: a step on the way to another machine promises more
 WIDER = (10.0, 100.0)  # times what drawings leave open: where another machine is looked for
 ABOVE_NOISE, ABOVE_SIZE = 10.0, 1e-3  # of the noise, or of the machine where noise is not known: what asks for it
 SPARE = 2.0  # scalars to a parameter: fewer any machine explains, and those held out decide
@@ -53,8 +56,12 @@ def as_read(at: Fit, *, robust: bool = True) -> Fit | None:
         scale = problem.scale.copy()
         scale[:count] = drawn.scale[:count] * np.where(said, 1.0, wider)
         wide = dataclasses.replace(problem, scale=scale)
+        how: dict[str, Any] = {"robust": robust, "must_converge": False}
+        worth = PROMISED * problem.readings.n_scalars
         try:
-            other = fit(wide, Prior(), errors=at.errors, instrument=at.instrument, robust=robust, must_converge=False)
+            other = fit(wide, Prior(), errors=at.errors, instrument=at.instrument, tolerance=worth, across=True, **how)
+            if other.rms() < NEARLY * ANOTHERS * at.rms():
+                other = fit(wide, Prior(), errors=other.errors, instrument=other.instrument, **how)
         except NoSolutionError:
             continue
         if other.rms() < ANOTHERS * at.rms() and not (few and not _foretells(other, at)):
