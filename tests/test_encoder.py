@@ -129,7 +129,7 @@ def test_the_screen_has_the_unit_of_the_readings(
     _show_result(found.replace(rank=1, degrees_of_freedom=1.0, before_rms_mm=found.heldout_rms_mm / 2))
     shown = " ".join(capsys.readouterr().out.split())
     half = found.heldout_rms_mm / 2 / (100 * DEG)
-    assert f"leaves no more, {decimals(half)} deg:" in shown
+    assert f"leaves no more, {decimals(half)} deg, than" in shown
     assert f"leaves a residual of {found['train_rms_deg']:.3g} deg" in shown
 
 

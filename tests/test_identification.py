@@ -22,7 +22,7 @@ from deltacal_gen.machine.registry import Machine, load_mechanism
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.pages import report
 from deltacal_gen.physics.simulation import simulate
-from deltacal_gen.results.shown import needless
+from deltacal_gen.results.shown import decimals, needless
 from deltacal_gen.units import DEG, to_internal
 from deltacal_gen.use.prediction import predict
 
@@ -472,7 +472,9 @@ def test_a_calibration_that_gains_nothing_is_told(robot: Robot) -> None:
     found = identify(robot, readings).answer()
     assert found.heldout_rms_mm is not None
     assert found.heldout_rms_mm > found.before_rms_mm
-    assert "robot file has it leaves no more" in needless(found.before_rms_mm, found.heldout_rms_mm)
-    assert "want no correction" in diagnose(robot, readings).answer().summary
+    told = needless(found.before_rms_mm, found.heldout_rms_mm)
+    assert "robot file has it leaves no more" in told
+    assert f"of readings that it has not seen, {decimals(found.heldout_rms_mm)} mm" in told
+    assert "do not show that it wants a correction" in diagnose(robot, readings).answer().summary
     assert "robot file has it leaves no more" in report.calibration(found)
     assert not needless(1.0, 0.5)

@@ -568,6 +568,9 @@ def test_flat_but_wrong_is_said_in_numbers_and_one_distance_settles_it(
     ends = np.array([[-80.0, 0, 0], [80.0, 0, 0], [0, -80.0, 0], [0, 80.0, 0]])
     both = recording(printer, np.vstack([grid(80, 40), ends]), pairs=np.array([[13, 14], [15, 16]]))
     settled = identify(printer, simulate(printer, both, {}, noise_mm=0.02, rng=rng)).answer()
+    for told in (first, *settled["next_measurements"]):
+        assert "these readings leave it open" in told["measurement"]
+        assert not re.search(r" 1[,)]", told["measurement"]), "of a factor no unit is told"
     left = [m["open_mm"] for m in settled["next_measurements"]]
     assert not left or left[0] < 0.7 * first["open_mm"]
 

@@ -8,9 +8,7 @@ that geometry was in force. `rrf` and `marlin` read the other firmwares.
 
 from __future__ import annotations
 
-import configparser
 import itertools
-import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -19,22 +17,13 @@ from typing import Any
 import numpy as np
 
 from deltacal_gen.errors import InputError
+from deltacal_gen.files.klipper import FULL_STEPS, TOWERS, Distance, Height, KlipperFile
 from deltacal_gen.files.robot import Robot, robot_from_dict, robot_to_toml
-from deltacal_gen.files.rows import number_of
-from deltacal_gen.files.toml import read_text
 from deltacal_gen.files.writing import write_files, write_recording
 from deltacal_gen.machine.registry import SOLVED, Array, load_mechanism
 from deltacal_gen.machine.values import Measurement, Recording
 
-_OTHERS = {  # machines of Klipper that are near relations, and what could be done with them
-    "rotary_delta": ": arms that turn; write a robot file of mechanism 'delta' by hand",
-    "winch": ": cables, whose lengths no mechanism here has",
-    "deltesian": ": two towers and a sliding bed, which no mechanism here has",
-}
-TOWERS = ("stepper_a", "stepper_b", "stepper_c")
-ROUNDED = 1e-3  # of the bed's radius: a map's limits are written with a digit or two
 ANGLES = (210.0, 330.0, 90.0)  # of the towers, where the file does not say [deg]
-FULL_STEPS = 200.0  # of a motor's turn
 PITCH = 2.0  # mm of belt per tooth
 USUAL_TEETH = range(15, 30)  # of a pulley; twice as many are half the microsteps
 PULLEY = 40.0  # mm of belt per motor turn: 20 teeth of 2 mm, the usual one, where RepRapFirmware does not say
@@ -42,8 +31,8 @@ ABSURD = 0.05  # of a distance: no geometry of the printer's parts is so far off
 DOUBTFUL = 1.0  # mm: a printed distance so far off the printer's own geometry is looked at again
 WRONG_STEP = 5.0  # mm: no bed is so far off by what a calibration corrects
 EDITED = 1.0  # mm: heights that all are so far off alike were probed with other endstops
-CLEARLY = 2.0  # by which the step that fits must fit better than the next
-LONGEST_NAME = 100  # letters of a mesh's name, which becomes a file's
+FELT = 0.02  # mm: a first layer shows a nozzle that is so much too low
+CLEARLY = 2.0  # by which the step that fits must fit better than the next, and what is alike stand above what is not
 DECIMALS = 6  # of mm and deg that are kept: a nanometre, a ten-thousandth of a motor's step
 SPREAD = 0.02  # by which the arms of one printer may differ
 
@@ -63,7 +52,8 @@ def import_klipper(path: str | Path, output: str | Path | None = None) -> Import
     Parameters
     ----------
     path : path
-        The configuration; values of the saved block (``#*#``) take precedence, as in Klipper.
+        The configuration; its own values, and those of files that it includes beside it, hold before those of the saved
+        block (``#*#``), as in Klipper.
     output : path, optional
         Folder for robot.toml, recording.csv (heights and distances) and one mesh_NAME.csv per bed mesh.
 
@@ -73,7 +63,7 @@ def import_klipper(path: str | Path, output: str | Path | None = None) -> Import
         No delta, or a value that is missing or cannot be; the message names the section and what to do.
     """
     path = Path(path)
-    file = _Klipper(path)
+    file = KlipperFile(path)
     geometry: dict[str, Any] = {
         "radius": file.number("printer", "delta_radius"),
         "arm_length": file.towers("arm_length", None),
@@ -82,7 +72,7 @@ def import_klipper(path: str | Path, output: str | Path | None = None) -> Import
     }
     belt = file.optional("stepper_a", "rotation_distance")
     robot = printer_robot(path.stem, geometry, belt, path)
-    warnings = doubt_arms(geometry["arm_length"])
+    warnings = (*file.doubts(), *doubt_arms(geometry["arm_length"]))
     recordings: dict[str, Recording] = {}
     heights, distances = file.heights(), file.distances()
     if heights or distances:
@@ -97,8 +87,8 @@ def import_klipper(path: str | Path, output: str | Path | None = None) -> Import
         recordings["recording"] = _session(path, heights, distances, step)
         warnings += _check_heights(robot, recordings["recording"]) + _check_distances(robot, recordings["recording"])
     for name, points, z in file.meshes():
-        offset = np.array([file.optional("probe", f"{axis}_offset") or 0.0 for axis in "xy"])
-        trigger = file.optional("probe", "z_offset") or 0.0
+        offset = np.array([file.optional(file.probe, f"{axis}_offset") or 0.0 for axis in "xy"])
+        trigger = file.optional(file.probe, "z_offset") or 0.0
         recordings[f"mesh_{name}"] = map_recording(robot, points - offset, z, trigger, path)
     return done(robot, recordings, warnings, path, output)
 
@@ -137,7 +127,7 @@ def _recording(path: Path, q: Array, height: Array, instrument: str, **pairs: An
     )
 
 
-def _session(path: Path, heights: list[_Height], distances: list[_Distance], step: Array) -> Recording:
+def _session(path: Path, heights: list[Height], distances: list[Distance], step: Array) -> Recording:
     positions = [h.position for h in heights] + [p for d in distances for p in (d.first, d.second)]
     measured = np.concatenate([[h.z for h in heights], np.full(2 * len(distances), np.nan)])
     pairs: dict[str, Any] = {}
@@ -151,7 +141,7 @@ def _session(path: Path, heights: list[_Height], distances: list[_Distance], ste
     return _recording(path, np.array(positions) * step, measured, instrument, **pairs)
 
 
-def _usual_step(robot: Robot, heights: list[_Height], path: Path) -> tuple[float, float, str]:
+def _usual_step(robot: Robot, heights: list[Height], path: Path) -> tuple[float, float, str]:
     """Return the step [mm] of a usual pulley that puts the probed points at their heights, its turn [mm], and a word.
 
     Steps of different pulleys lie 3 % and more apart, which bends the bed by millimetres: one fits, or none.
@@ -179,7 +169,7 @@ def _usual_step(robot: Robot, heights: list[_Height], path: Path) -> tuple[float
     )
 
 
-def _usual_steps(robot: Robot, heights: list[_Height]) -> list[tuple[float, float, float]]:
+def _usual_steps(robot: Robot, heights: list[Height]) -> list[tuple[float, float, float]]:
     """Return how bent the bed comes out with the step of each usual pulley, the step and its turn [mm], best first."""
     return sorted(
         (left, step, PITCH * teeth)
@@ -188,7 +178,7 @@ def _usual_steps(robot: Robot, heights: list[_Height]) -> list[tuple[float, floa
     )
 
 
-def _bent(robot: Robot, heights: list[_Height], step: float | Array) -> float:
+def _bent(robot: Robot, heights: list[Height], step: float | Array) -> float:
     """Return by how much the heights of probed points differ from one another with steps of a length [mm].
 
     By their shape alone: endstops are edited after the probing. Infinite where the machine cannot stand so.
@@ -197,7 +187,7 @@ def _bent(robot: Robot, heights: list[_Height], step: float | Array) -> float:
     return np.inf if off is None else float(np.ptp(off))
 
 
-def _heights_off(robot: Robot, heights: list[_Height], step: float | Array) -> Array | None:
+def _heights_off(robot: Robot, heights: list[Height], step: float | Array) -> Array | None:
     """Return by how much probed points lie off their heights (n,) [mm]; None where the machine cannot stand so."""
     mechanism = load_mechanism(robot.mechanism)
     positions, z = np.array([h.position for h in heights]), np.array([h.z for h in heights])
@@ -205,7 +195,7 @@ def _heights_off(robot: Robot, heights: list[_Height], step: float | Array) -> A
     return x[:, 2] - z if (status == SOLVED).all() else None
 
 
-def _check_step(robot: Robot, heights: list[_Height], step: Array, path: Path) -> None:
+def _check_step(robot: Robot, heights: list[Height], step: Array, path: Path) -> None:
     """Raise an InputError where steps put the bed bent and far off, and those of one usual pulley do not.
 
     A printer that was never calibrated has a bed that is bent with the right steps, too, but in its place.
@@ -228,7 +218,7 @@ def _check_step(robot: Robot, heights: list[_Height], step: Array, path: Path) -
     )
 
 
-def _placed(robot: Robot, heights: list[_Height], step: float | Array) -> bool:
+def _placed(robot: Robot, heights: list[Height], step: float | Array) -> bool:
     """Tell whether steps put the bed where a calibration may have to correct it."""
     off = _heights_off(robot, heights, step)
     return off is not None and abs(float(np.median(off))) <= WRONG_STEP
@@ -315,10 +305,11 @@ def _check_heights(robot: Robot, recording: Recording) -> tuple[str, ...]:
             file=recording.path,
         )
     off = x[:, 2] - recording.measured[rows, 0]
-    if abs(np.median(off)) > EDITED and np.ptp(off) < EDITED:
+    if np.ptp(off) < EDITED and abs(np.median(off)) > max(FELT, min(EDITED, CLEARLY * np.ptp(off))):
         return (
             f"all heights are off by {np.median(off):.3f} mm alike: the saved endstops were changed after the probing. "
-            "Only the endstops are wrong by it; the shape is not.",
+            "The shape is not wrong by it. A calibration by these heights undoes that change: where it was made for "
+            "the first layer, probe again before.",
         )
     return ()
 
@@ -373,158 +364,3 @@ def _repeated(recording: Recording) -> list[tuple[int, int]]:
     assert recording.pairs is not None
     ends = [frozenset(map(tuple, recording.joints[pair].round(6).tolist())) for pair in recording.pairs]
     return [(i, j) for j in range(len(ends)) for i in range(j) if ends[i] == ends[j]]
-
-
-# ----------------------------------------------------------------------------------------------------------- Klipper
-
-
-@dataclass(frozen=True)
-class _Height:
-    z: float
-    position: tuple[float, ...]
-
-
-@dataclass(frozen=True)
-class _Distance:
-    length: float
-    first: tuple[float, ...]
-    second: tuple[float, ...]
-
-
-class _Klipper:
-    """The sections of a printer.cfg; the saved block overrides what stands above it."""
-
-    def __init__(self, path: Path) -> None:
-        self.path = path
-        plain, saved = [], []
-        for line in read_text(path).split("\n"):
-            if line.startswith("#*#"):
-                saved.append(re.sub(r"^#\*# ?", "", line))
-            else:
-                plain.append(re.sub(r"\s*[#;].*$", "", line))
-        self.sections: dict[str, dict[str, str]] = {}
-        for part in (plain, saved):
-            parser = configparser.RawConfigParser(strict=False, delimiters=("=", ":"), allow_no_value=True)
-            start = next((k for k, line in enumerate(part) if line.startswith("[")), len(part))
-            try:
-                parser.read_string("\n".join(part[start:]))
-            except configparser.Error as error:
-                raise InputError(
-                    f"this is no configuration of Klipper: {str(error).splitlines()[0]}.", "Correct it.", file=path
-                ) from None
-            for name in parser.sections():
-                given = {key: value for key, value in parser.items(name) if value is not None}
-                self.sections.setdefault(name.strip(), {}).update(given)
-        kinematics = self.sections.get("printer", {}).get("kinematics", "delta")
-        if "printer" not in self.sections or kinematics != "delta":
-            other = _OTHERS.get(kinematics, "")
-            raise InputError(
-                f"the file describes no linear delta ([printer] kinematics: {kinematics}{other}).",
-                "Give the printer.cfg of a printer whose carriages slide on three towers.",
-                file=path,
-            )
-
-    def optional(self, section: str, key: str) -> float | None:
-        text = self.sections.get(section, {}).get(key)
-        if text is None:
-            return None
-        try:
-            return float(text)
-        except ValueError:
-            raise InputError(
-                f"{key} in [{section}] is '{text}': a number was expected.", "Correct it.", file=self.path
-            ) from None
-
-    def number(self, section: str, key: str) -> float:
-        value = self.optional(section, key)
-        if value is None:
-            raise InputError(f"{key} in [{section}] is missing.", "Give the whole printer.cfg.", file=self.path)
-        return value
-
-    def towers(self, key: str, default: Sequence[float] | None) -> list[float]:
-        """Return a value per tower; one that is not given is the default, or that of tower a, as in Klipper."""
-        found = [self.optional(tower, key) for tower in TOWERS]
-        if default is None:
-            first = self.number("stepper_a", key)
-            return [first if v is None else v for v in found]
-        return [d if v is None else v for v, d in zip(found, default, strict=True)]
-
-    def step(self, tower: str) -> float | None:
-        """Return mm of belt per step of a tower's motor; None where the file does not say."""
-        if (old := self.optional(tower, "step_distance")) is not None:
-            return old
-        given = {k: self.optional(tower, k) for k in ("rotation_distance", "microsteps", "full_steps_per_rotation")}
-        given = {k: v if v is not None else self.optional("stepper_a", k) for k, v in given.items()}
-        belt, micro = given["rotation_distance"], given["microsteps"]
-        if belt is None or micro is None:
-            return None
-        gears = self.sections.get(tower, {}).get("gear_ratio", "")
-        ratio = np.prod([float(a) / float(b) for a, b in re.findall(r"([\d.]+)\s*:\s*([\d.]+)", gears)] or [1.0])
-        return float(belt / ((given["full_steps_per_rotation"] or FULL_STEPS) * micro * ratio))
-
-    def _position(self, key: str) -> tuple[float, ...]:
-        text = self.sections["delta_calibrate"].get(key, "")
-        try:
-            found = tuple(float(v) for v in text.split(","))
-        except ValueError:
-            found = ()
-        if len(found) != 3:
-            raise InputError(
-                f"{key} in [delta_calibrate] is '{text}': three positions, separated by commas, were expected.",
-                "Run DELTA_CALIBRATE and SAVE_CONFIG again.",
-                file=self.path,
-            )
-        return found
-
-    def _numbered(self, pattern: str) -> list[str]:
-        keys = self.sections.get("delta_calibrate", {})
-        return sorted((k for k in keys if re.fullmatch(pattern, k)), key=lambda k: int(re.sub(r"\D", "", k)))
-
-    def heights(self) -> list[_Height]:
-        """Return probed and manual heights."""
-        return [
-            _Height(self.number("delta_calibrate", key), self._position(f"{key}_pos"))
-            for pattern in (r"height\d+", r"manual_height\d+")
-            for key in self._numbered(pattern)
-        ]
-
-    def distances(self) -> list[_Distance]:
-        return [
-            _Distance(self.number("delta_calibrate", key), self._position(f"{key}_pos1"), self._position(f"{key}_pos2"))
-            for key in self._numbered(r"distance\d+")
-        ]
-
-    def _mesh(self, section: str) -> Array:
-        """Return the heights (rows, columns) of a bed mesh [mm]."""
-        lines = self.sections[section]["points"].strip().split("\n")
-        cells = [[c.strip() for c in line.split(",") if c.strip()] for line in lines]
-        bad = next((c for row in cells for c in row if (v := number_of(c)) is None or not np.isfinite(v)), None)
-        if bad is not None:
-            problem = f"a point of [{section}] is '{bad}': a number was expected."
-        elif len({len(row) for row in cells}) > 1 or not cells[0]:
-            problem = f"the rows of points in [{section}] are not equally long."
-        else:
-            return np.array(cells, dtype=float)
-        raise InputError(problem, "Run BED_MESH_CALIBRATE and SAVE_CONFIG again.", file=self.path)
-
-    def meshes(self) -> list[tuple[str, Array, Array]]:
-        """Return name, points (n, 2) and heights (n,) of every bed mesh [mm]."""
-        out = []
-        for section in self.sections:
-            if not section.startswith("bed_mesh ") or "points" not in self.sections[section]:
-                continue
-            z = self._mesh(section)
-            low, high = (np.array([self.number(section, f"{m}_{a}") for a in "xy"]) for m in ("min", "max"))
-            x, y = (np.linspace(low[k], high[k], count) for k, count in enumerate((z.shape[1], z.shape[0])))
-            grid = np.stack(np.meshgrid(x, y), axis=2)
-            # the bed is round: cells beyond the circle repeat the last probed one of their row
-            inside = np.linalg.norm(grid - (low + high) / 2, axis=2) <= np.min(high - low) / 2 * (1 + ROUNDED)
-            name = re.sub(r"\W+", "_", section.split(" ", 1)[1].strip())
-            if len(name) > LONGEST_NAME:
-                raise InputError(
-                    f"the name of the mesh '{name[:20]}...' has {len(name)} letters, and a file is named after it.",
-                    f"Give it at most {LONGEST_NAME}.",
-                    file=self.path,
-                )
-            out.append((name, grid[inside], z[inside]))
-        return out

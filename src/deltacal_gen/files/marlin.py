@@ -53,7 +53,8 @@ def import_marlin(path: str | Path, output: str | Path | None = None) -> Importe
         if letter not in said["M665"]:
             raise InputError(
                 f"the log does not say the {what} (M665 {letter}).",
-                "Send M503 and give all that it answers.",
+                f"Send M503 and give all that it answers; where it does not say it, add a line, M665 {letter} and the "
+                "number that the firmware was built with.",
                 file=path,
             )
     delta, trims, probe = said["M665"], said["M666"], said["M851"]

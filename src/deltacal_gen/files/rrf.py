@@ -12,14 +12,16 @@ from deltacal_gen.files.imports import ANGLES, PULLEY, Imported, done, doubt_arm
 from deltacal_gen.files.toml import read_text
 from deltacal_gen.machine.registry import Array
 
+OVERRIDE = "config-override.g"
+
 
 def import_rrf(config: str | Path, height_map: str | Path, output: str | Path | None = None) -> Imported:
-    """Read RepRapFirmware's config.g (M665, M666, G31) and a height map.
+    """Read RepRapFirmware's config.g (M665, M666, G31), with what it has saved, and a height map.
 
     Parameters
     ----------
     config : path
-        config.g, or config-override.g where M500 has written M665 and M666 there.
+        config.g; where it says M501, config-override.g beside it holds, as M500 has written it.
     height_map : path
         heightmap.csv.
     output : path, optional
@@ -54,10 +56,15 @@ def import_rrf(config: str | Path, height_map: str | Path, output: str | Path | 
     offset = np.array([probe.get(axis, [0.0])[0] for axis in "XY"])
     recording = map_recording(robot, points - offset, z, probe.get("Z", [0.0])[0], height_map)
     warnings = doubt_arms(geometry["arm_length"])
+    if "M501" in said and not config.with_name(OVERRIDE).is_file():
+        warnings += (
+            f"{config.name} loads what M500 has saved (M501), and {OVERRIDE} is not beside it: what it says itself is "
+            "taken. Put it there, if there is one.",
+        )
     if "G31" not in said:
         warnings += (
-            "config.g says nothing of the probe (G31): its trigger height is taken as 0, which is right for a nozzle "
-            "that touches the bed.",
+            f"{config.name} says nothing of the probe (G31): its trigger height is taken as 0, which is right for a "
+            "nozzle that touches the bed.",
         )
     return done(robot, {"recording": recording}, warnings, config, output)
 
@@ -70,12 +77,18 @@ def _number(text: str) -> float | None:
 
 
 def _gcode(path: Path) -> dict[str, dict[str, list[float]]]:
-    """Return the last of each code in a file, with its letters' numbers; ``L`` may hold several, ``a:b:c``."""
+    """Return the last of each code in a file, with its letters' numbers; ``L`` may hold several, ``a:b:c``.
+
+    M501 runs what M500 has saved, config-override.g, in its place.
+    """
     out: dict[str, dict[str, list[float]]] = {}
     for line in read_text(path).split("\n"):
         words = re.sub(r"\(.*?\)", "", line.split(";", 1)[0]).split()
         if not words:
             continue
+        if words[0].upper() == "M501" and (saved := path.with_name(OVERRIDE)).is_file() and path.name != OVERRIDE:
+            for code, letters in _gcode(saved).items():
+                out.setdefault(code, {}).update(letters)
         found: dict[str, list[float]] = {}
         for word in words[1:]:
             if (m := re.fullmatch(r"([A-Za-z])([-+\d.:]+)", word)) is not None:

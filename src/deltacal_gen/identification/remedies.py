@@ -112,13 +112,13 @@ def printed(final: Fit) -> tuple[Remedy, ...]:
         along = C @ J[k] / std[k]
         size = np.abs(along) / mechanism.typical[every.columns]
         told = [
-            f"{names[j]} {along[j] / to_internal(unit):+.2g} {file_unit(unit)}"
+            f"{names[j]} {along[j] / to_internal(unit):+.2g} {file_unit(unit)}".removesuffix(" 1")
             for j in np.argsort(-size)[:4]
             for unit in [mechanism.parameters[mechanism.index[names[j]]].unit]
         ]
         text = (
             f"print two marks {2 * wide:.0f} mm apart through the centre, {turns[k] / DEG:.0f} deg from x, and measure "
-            f"their distance: the heights leave it open by {std[k]:.2g} mm, with a bed as flat ({', '.join(told)})"
+            f"their distance: these readings leave it open by {std[k]:.2g} mm, with a bed as flat ({', '.join(told)})"
         )
         chosen.append(Remedy(measurement=text, pins=1, of=len(names), open_mm=float(std[k])))
         gain = C @ J[k]

@@ -53,8 +53,8 @@ print(mesh.next_measurements[0].measurement)
 
 # %% [markdown]
 # ```output
-# print two marks 155 mm apart through the centre, 60 deg from x, and measure their distance: the heights leave it
-# open by 0.59 mm, with a bed as flat (arm_3 +1.2 mm, arm_1 +1.2 mm, arm_2 +1.2 mm, radius_2 +1 mm)
+# print two marks 155 mm apart through the centre, 60 deg from x, and measure their distance: these readings leave
+# it open by 0.59 mm, with a bed as flat (arm_3 +1.2 mm, arm_1 +1.2 mm, arm_2 +1.2 mm, radius_2 +1 mm)
 # ```
 #
 # [A delta printer](printer.md) has the same in commands, and what else can be wrong with such a machine.

@@ -99,9 +99,10 @@ def needless(filed: float, heldout: float | None, unit: str = "mm") -> str:
     if heldout is None or not heldout >= filed:
         return ""
     return (
-        f"The machine as the robot file has it leaves no more, {decimals(filed)} {unit}: these readings want no "
-        "correction of it. Where the instrument is surer than that, compare with the recording which point was "
-        "measured, and whether joints and readings of a row belong together."
+        f"The machine as the robot file has it leaves no more, {decimals(filed)} {unit}, than the calibrated one does "
+        f"of readings that it has not seen, {decimals(heldout)} {unit}: these readings do not show that it wants a "
+        "correction. Where the instrument is surer than that, compare with the recording which point was measured, and "
+        "whether joints and readings of a row belong together."
     )
 
 

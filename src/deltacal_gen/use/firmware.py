@@ -16,7 +16,8 @@ import numpy as np
 
 from deltacal_gen.errors import NoSolutionError, UsageError
 from deltacal_gen.estimation.problem import Problem
-from deltacal_gen.files.imports import ANGLES, TOWERS
+from deltacal_gen.files.imports import ANGLES, DECIMALS
+from deltacal_gen.files.klipper import TOWERS
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.files.writing import write_files
 from deltacal_gen.machine.registry import SOLVED, Array, Machine, load_mechanism, mechanism_of
@@ -37,6 +38,7 @@ RINGS = (1 / 3, 2 / 3, 1.0)  # of the printed radius
 BED_MM = 0.02  # what a probe knows of the bed, and a first layer bears
 VOLUME_MM = 1.0  # what distances and a probe leave open of where the nozzle is
 HEIGHTS = "height"  # kind of readings that say nothing of where across the bed the nozzle is
+PLACE = "put these above the SAVE_CONFIG block: there they hold before what it saved; below it Klipper drops the block"
 STEP = 0.1  # ordinary sizes: of a finite difference
 ROUNDS, SETTLED = 30, 1e-9  # of the fit of the lines; ordinary sizes
 
@@ -125,6 +127,8 @@ def _head(name: str, lines: FirmwareLines) -> list[str]:
     over = f"rms {lines.after.rms_mm:.4f}, worst {lines.after.worst_mm:.4f} mm"
     volume = "heights alone do not say" if lines.heights_alone else over
     head = [
+        *[PLACE] * (lines.kind == "klipper"),
+        "meshes of the bed that were probed before do not hold with these lines: clear them, and probe again",
         f"{name}: what these lines leave over the printed volume: {volume}",
         f"on the bed: rms {lines.after.bed_rms_mm:.4f} mm, by the lines before {lines.before.bed_rms_mm:.4f} mm",
         *(f"{v.name}: {v.before:.4f} -> {v.after:.4f} {v.unit}" for v in lines.values),
@@ -200,13 +204,17 @@ class Printed:
         """Return what lines leave."""
         off = self._off(written)
         size, across, height = np.linalg.norm(off, axis=1), np.linalg.norm(off[:, :2], axis=1), off[self.on_bed, 2]
+
+        def written_out(value: float) -> float:
+            return round(float(value), DECIMALS)  # what lines with as many decimals can leave
+
         return FirmwareLeft(
-            bed_rms_mm=float(np.sqrt(np.mean(height**2))),
-            bed_worst_mm=float(np.abs(height).max()),
-            lateral_rms_mm=float(np.sqrt(np.mean(across**2))),
-            lateral_worst_mm=float(across.max()),
-            rms_mm=float(np.sqrt(np.mean(size**2))),
-            worst_mm=float(size.max()),
+            bed_rms_mm=written_out(np.sqrt(np.mean(height**2))),
+            bed_worst_mm=written_out(np.abs(height).max()),
+            lateral_rms_mm=written_out(np.sqrt(np.mean(across**2))),
+            lateral_worst_mm=written_out(across.max()),
+            rms_mm=written_out(np.sqrt(np.mean(size**2))),
+            worst_mm=written_out(size.max()),
         )
 
     def closest(self, nominal: Robot, heights_alone: bool = False) -> Robot:
