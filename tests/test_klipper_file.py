@@ -150,6 +150,14 @@ def test_what_is_no_number_is_refused(key: str, number: str, text: str, file: Pa
         import_klipper(_with(file, spoilt))
 
 
+@pytest.mark.parametrize("line", ["microsteps: 0", "microsteps: 16\nfull_steps_per_rotation: 0", "gear_ratio: 2:0"])
+def test_a_step_of_no_length_is_refused(line: str, text: str, file: Path) -> None:
+    key = line.split(":")[0]
+    spoilt = text.replace("microsteps: 16", line if key == "microsteps" else f"microsteps: 16\n{line}")
+    with pytest.raises(InputError, match="is 0 or less"):
+        import_klipper(_with(file, spoilt))
+
+
 def test_reprapfirmware_s_saved_numbers_hold_where_the_configuration_loads_them(tmp_path: Path) -> None:
     config, chart = tmp_path / "config.g", tmp_path / "heightmap.csv"
     chart.write_text(MAP)

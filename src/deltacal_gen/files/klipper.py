@@ -178,8 +178,17 @@ class KlipperFile:
         if belt is None or micro is None:
             return None
         gears = self.sections.get(tower, {}).get("gear_ratio", "")
-        ratio = np.prod([float(a) / float(b) for a, b in re.findall(r"([\d.]+)\s*:\s*([\d.]+)", gears)] or [1.0])
-        return float(belt / ((given["full_steps_per_rotation"] or FULL_STEPS) * micro * ratio))
+        driven, driving = np.array(
+            [(1.0, 1.0), *re.findall(r"(\d+\.?\d*)\s*:\s*(\d+\.?\d*)", gears)], dtype=float
+        ).prod(0)
+        full = given["full_steps_per_rotation"]
+        if not min(belt, micro, driven, driving, FULL_STEPS if full is None else full) > 0:
+            raise InputError(
+                f"rotation_distance, microsteps, full_steps_per_rotation or gear_ratio in [{tower}] is 0 or less.",
+                "Correct it.",
+                file=self.path,
+            )
+        return float(belt * driving / ((full or FULL_STEPS) * micro * driven))
 
     def _position(self, key: str) -> tuple[float, ...]:
         text = self.sections["delta_calibrate"].get(key, "")
