@@ -40,6 +40,7 @@ pytestmark = pytest.mark.usefixtures("compiled")
 ORDERS = (2, 5, 9, 14, 20)
 JOINTS = (2, 3)
 NOISE = 0.01
+PART = 62.0  # deg to either side: little more than a joint must move to be asked
 
 
 def amplitudes() -> dict[int, np.ndarray]:
@@ -49,12 +50,19 @@ def amplitudes() -> dict[int, np.ndarray]:
 
 
 def taken(
-    folder: Path, name: str, noise: float, concealed: bool, seed: int, span: float = 170.0, least: float | None = None
+    folder: Path,
+    name: str,
+    noise: float,
+    concealed: bool,
+    seed: int,
+    span: float = 170.0,
+    least: float | None = None,
+    errors: dict[int, np.ndarray] | None = None,
 ) -> Path:
     """Write a recording of 250 poses of the arm of `test_serial` in an unknown frame."""
     (folder / "robot.toml").write_text(robot_to_toml(robot()))
     text = "[parameters]\na_2 = 0.2\ntheta_3 = 0.05\n"
-    for k, c in amplitudes().items() if concealed else ():
+    for k, c in (errors or amplitudes()).items() if concealed else ():
         text += f'[[effects]]\nname = "{wave()}"\nlimbs = {list(JOINTS)}\norder = {k}\n'
         text += f"cos = {c[:, 0].tolist()}\nsin = {c[:, 1].tolist()}\n"
     (folder / "truth.toml").write_text(text)
@@ -139,6 +147,47 @@ def test_the_orders_that_stand_out_are_those_that_are_there(found: Spectrum) -> 
             assert abs(s.amplitude - true.get(s.order, 0.0)) < 4 * s.std
             assert s.amplitude > STANDS_OUT * s.std
         assert [s.amplitude / s.std for s in told] == sorted((s.amplitude / s.std for s in told), reverse=True)
+
+
+@pytest.fixture(scope="module")
+def of_a_part(tmp_path_factory: pytest.TempPathFactory) -> tuple[dict[int, np.ndarray], Spectrum]:
+    """Find the smooth error of joints that move by a third of a turn."""
+    rng = np.random.default_rng(5)
+    errors = {k: 0.1 * rng.standard_normal((len(JOINTS), 2)) / k for k in (1, 2, 3)}
+    folder = tmp_path_factory.mktemp("part")
+    found = found_in(geometry(taken(folder, "part", NOISE, concealed=True, seed=1, span=PART, errors=errors)))
+    assert found is not None
+    return errors, found
+
+
+def of_joint(j: int, errors: dict[int, np.ndarray], angle: np.ndarray) -> np.ndarray:
+    """Return the error of a joint (from 0) at angles [rad], but for its zero, in the unit of its coefficients."""
+    each = [c[j, 0] * np.cos(k * angle) + c[j, 1] * np.sin(k * angle) for k, c in errors.items()]
+    error = np.sum(each, axis=0)
+    return np.asarray(error - error.mean())
+
+
+def test_over_a_part_of_the_turn_no_order_is_told_that_others_cancel(
+    of_a_part: tuple[dict[int, np.ndarray], Spectrum],
+) -> None:
+    _, found = of_a_part
+    angle = np.linspace(-PART, PART, 500) * DEG
+    for j, limb in enumerate(found.limbs):
+        terms = {int(t.constants[0]): t.values for t in found.terms}
+        whole = np.std(of_joint(j, terms, angle))
+        for s in found.standing[limb]:
+            assert np.std(of_joint(j, {k: c for k, c in terms.items() if k != s.order}, angle)) < whole
+
+
+def test_the_zero_of_a_joint_is_no_part_of_what_is_unknown_of_its_error(
+    of_a_part: tuple[dict[int, np.ndarray], Spectrum],
+) -> None:
+    errors, found = of_a_part
+    angle = np.random.default_rng(1).uniform(-PART, PART, 300) * DEG
+    for j, limb in enumerate(JOINTS):
+        true = of_joint(j, errors, angle) * DEG
+        as_found = of_joint(found.limbs.index(limb), {int(t.constants[0]): t.values for t in found.terms}, angle)
+        assert 0.5 < np.std(as_found - true) / found.std[limb] < 1.6
 
 
 def test_they_are_told_in_the_answer_in_words_and_on_the_page(half_seen: tuple[Path, Diagnosis]) -> None:

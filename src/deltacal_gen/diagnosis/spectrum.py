@@ -19,7 +19,7 @@ import numpy as np
 
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
-from deltacal_gen.identification.orders import ORDERS, Orders, as_terms, shape, wave
+from deltacal_gen.identification.orders import ORDERS, Orders, as_terms, shape, wave, waves
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.terms import Term
 from deltacal_gen.results.diagnosis import Seen
@@ -31,6 +31,7 @@ CORNER = 10.0  # order at which the search for the corner begins; it doubles and
 IDLE = 0.05  # of a joint's variance: so little is at the highest orders that nothing else could take it for its own
 STANDS_OUT = 2.45  # standard deviations of an amplitude: 95 % of those of an order that is not there are smaller
 MOST_OUT = 5  # orders of a joint that are told
+STEP = 360.0 / (4 * ORDERS)  # deg: a quarter of the shortest period
 
 
 @dataclass(frozen=True)
@@ -53,7 +54,8 @@ class Spectrum:
     gains : dict
         Of each joint (from 1): twice the logarithm of the evidence for its error.
     rms, std : dict
-        Of each joint, over the readings: root mean square of its error, and of the error's standard deviation [rad].
+        Of each joint, over the readings: root mean square of its error, and of the error's standard deviation [rad],
+        but for a constant, which is the joint's zero.
     prior : tuple of (joints, 2) array
         Of each of the orders that carry nearly all: standard deviation of coefficients before the readings [rad].
     seen : dict
@@ -65,7 +67,8 @@ class Spectrum:
     covariance : (n + n_m, n + n_m) array
         Of what is fitted beside, parameters and the instrument's unknowns [mm, rad], the errors unknown as they are.
     standing : dict
-        Of each joint: orders whose amplitude exceeds its standard deviation most, the clearest first.
+        Of each joint: orders whose amplitude exceeds its standard deviation most, the clearest first; none that
+        others cancel.
     """
 
     terms: tuple[Term, ...]
@@ -132,33 +135,43 @@ def periodic(at: Fit, parts: Sequence[tuple[np.ndarray, np.ndarray]], known: Spe
     if heldout is None:
         return None
     each = linear.solved(found)
+    angles = {j: seen(turns[:, j - 1], found.corner) for j in limbs}
     return Spectrum(
         as_terms({j: own.values for j, own in each.items()}),
         tuple(np.full((len(limbs), 2), v**0.5) for v in found.variance * _carrying(shape(found.corner))),
         gains,
         {j: own.rms for j, own in each.items()},
         {j: own.std for j, own in each.items()},
-        {j: seen(turns[:, j - 1], found.corner) for j in limbs},
+        angles,
         found.corner,
         heldout,
         linear.covariance(found),
-        {j: _standing(own.values, own.covariance) for j, own in each.items()},
+        {j: _standing(own.values, own.covariance, angles[j]) for j, own in each.items()},
     )
 
 
-def _standing(values: Array, covariance: np.ndarray) -> tuple[Standing, ...]:
+def _standing(values: Array, covariance: np.ndarray, angles: Sequence[tuple[float, float]]) -> tuple[Standing, ...]:
     """Return the orders of a joint whose amplitude exceeds its standard deviation most, the clearest first.
+
+    Over a part of the turn orders are nearly alike, and large ones that cancel make a small error: where one of them,
+    taken away, leaves more at the angles that were seen, its amplitude is none that the joint has shown.
 
     Parameters
     ----------
     values, covariance : (2 orders,), (2 orders, 2 orders) array
         Cosine and sine, order by order [rad].
+    angles : sequence of (float, float)
+        Between which angles [deg] the joint was read.
     """
+    there = np.concatenate([np.arange(a, b + STEP, STEP) for a, b in angles])
+    each = (waves(np.radians(there)) * values).reshape(len(there), ORDERS, 2).sum(axis=2)
+    error = each.sum(axis=1)
     found = []
     for k in range(ORDERS):
         own, amplitude = slice(2 * k, 2 * k + 2), float(np.hypot(*values[2 * k : 2 * k + 2]))
         along = values[own] / max(amplitude, 1e-300)
-        found.append(Standing(k + 1, amplitude, float(np.sqrt(along @ covariance[own, own] @ along))))
+        if np.std(error - each[:, k]) < np.std(error):
+            found.append(Standing(k + 1, amplitude, float(np.sqrt(along @ covariance[own, own] @ along))))
     out = sorted((s for s in found if s.amplitude > STANDS_OUT * s.std), key=lambda s: -s.amplitude / s.std)
     return tuple(out[:MOST_OUT])
 

@@ -85,7 +85,7 @@ class Sized:
 class Coefficients(NamedTuple):
     """The error of a joint: cosine and sine of each order (2 orders,) [rad], and their covariance [rad2].
 
-    `rms` and `std` are those of the error and of its standard deviation over the readings [rad].
+    `rms` and `std` are those of the error and of its standard deviation over the readings [rad], but for a constant.
     """
 
     values: Array
@@ -268,7 +268,7 @@ class Orders:
         out, m = {}, 2 * ORDERS
         for i, (j, values) in enumerate(zip(found.limbs, (inverse @ g).reshape(-1, m), strict=True)):
             own, F = slice(m * i, m * (i + 1)), self._F[self._limbs.index(j)]
-            some = F[:: max(len(F) // SAMPLE, 1)]
+            some = F[:: max(len(F) // SAMPLE, 1)] - F.mean(axis=0)  # a constant is the joint's zero
             C = np.asarray(found.noise * inverse[own, own])
             std = float(np.sqrt(np.mean(((some @ C) * some).sum(axis=1))))
             out[j] = Coefficients(values, C, float(np.std(F @ values)), std)
