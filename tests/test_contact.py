@@ -77,6 +77,30 @@ def test_a_ball_in_sockets_calibrates_an_arm(tmp_path: Path) -> None:
     assert commands.validate(tmp_path / "result.json", elsewhere)["rms_mm"] < 0.02
 
 
+MISTAKES = {
+    "joint 3 counts the other way": lambda q: q * [1, 1, -1, 1, 1, 1],
+    "the columns of joints 2 and 3 are exchanged": lambda q: q[:, [0, 2, 1, 3, 4, 5]],
+    "the joints are in radians": lambda q: q * DEG,
+    "the zero of joint 2 is off by 90 deg": lambda q: q - [0, 90, 0, 0, 0, 0],
+    "the distances between contacts are in metres": lambda q: q,
+}
+
+
+@pytest.mark.parametrize("words", MISTAKES)
+def test_a_mistake_in_joints_that_touched_is_named(tmp_path: Path, words: str) -> None:
+    path = touched(tmp_path, SOCKETS, sigma=2e-6, seed=1)
+    header, *lines = path.read_text().splitlines()
+    names, q = zip(*(line.split(",", 1) for line in lines), strict=True)
+    changed = MISTAKES[words](np.array([row.split(",") for row in q], dtype=float))
+    rows = (f"{n}," + ",".join(map(repr, map(float, row))) for n, row in zip(names, changed, strict=True))
+    path.write_text("\n".join([header, *rows]) + "\n")
+    if "metres" in words:
+        said = path.with_suffix(".toml")
+        said.write_text(said.read_text().replace("50.0", "0.05"))
+    with pytest.raises(InputError, match=f"agree with it if .*{words}"):
+        commands.identify(tmp_path / "robot.toml", path, output=tmp_path / "result.json")
+
+
 def test_what_to_touch_next_are_the_points_that_were_touched(tmp_path: Path) -> None:
     """A diagnosis of contacts with a question left open was refused: nothing could be read at poses drawn anywhere."""
     two = {name: SOCKETS[name] for name in ("front0", "front1")}

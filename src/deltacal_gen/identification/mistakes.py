@@ -63,6 +63,8 @@ def tried(problem: Problem, off: float) -> list[tuple[float, str]]:
     mistakes: Iterable[tuple[str, Problem]] = ()
     if few.readings.kind.positions:
         mistakes = itertools.chain(_mistakes(few), _shifted(problem))
+    elif few.readings.kind.anew:
+        mistakes = itertools.chain(_of_joints(few), _of_contacts(few))
     elif few.readings.kind.in_differences(few.recording.measurement):
         mistakes = _units(few, "lengths")  # what counts from the first is not told by how long it is
     looked_at = [(_aligned_error(changed), words, changed) for words, changed in mistakes]
@@ -183,6 +185,15 @@ def _of_joints(problem: Problem) -> Iterator[tuple[str, Problem]]:
     for i, j in itertools.combinations(joints, 2):
         order = [j if k == i else i if k == j else k for k in joints]
         yield f"the columns of joints {i + 1} and {j + 1} are exchanged", with_joints(body.q[:, order])
+
+
+def _of_contacts(problem: Problem) -> Iterator[tuple[str, Problem]]:
+    """Return distances between contacts in larger units than mm; with next to none any points would agree."""
+    recording = problem.recording
+    for factor, unit in ((f, u) for f, u in UNITS if f > 1 and recording.contact_distances):
+        ties = tuple((a, b, factor * mm) for a, b, mm in recording.contact_distances)
+        changed = dataclasses.replace(recording, contact_distances=ties)
+        yield f"the distances between contacts are in {unit}", dataclasses.replace(problem, recording=changed)
 
 
 def turns_alike(first: Fit) -> None:
