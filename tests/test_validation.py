@@ -79,6 +79,28 @@ def test_the_worst_rows_come_first_with_their_lines(
     assert len(report["rows"]) == 10
 
 
+def test_a_reading_that_went_wrong_stands_apart_from_what_the_machine_does(
+    robot: Robot, truth: dict[str, float], result: dict[str, Any]
+) -> None:
+    """One touch that slipped was told as the error of the machine, of which it was most."""
+    fresh = simulate(
+        robot, wanted(scattered(robot, 40, 5)), truth, noise_mm=0.005, rng=np.random.default_rng(2), frame=FRAME
+    )
+    assert validate(result, fresh).apart is None
+    slipped = dataclasses.replace(fresh, measured=fresh.measured + 2.0 * (np.arange(40)[:, None] == 7))
+    found = validate(result, slipped)
+    assert found.apart is not None
+    assert found.apart.lines == (int(fresh.line[7]),)
+    assert found.rms_mm > 0.3
+    assert found.apart.rms_of_others_mm == pytest.approx(0.0055, rel=0.2)
+    two = dataclasses.replace(slipped, measured=slipped.measured + 0.2 * (np.arange(40)[:, None] == 9))
+    assert (far := validate(result, two).apart) is not None
+    assert far.lines == (int(fresh.line[7]), int(fresh.line[9]))
+    assert f"line {fresh.line[7]}: more than three times as far off as any other" in " ".join(found.told)
+    worse = dataclasses.replace(fresh, measured=fresh.measured + np.geomspace(0.01, 2.0, 40)[:, None])
+    assert validate(result, worse).apart is None  # what the model does not know is of all sizes
+
+
 ELSEWHERE = (np.array([0.3, 0.2, -0.9]), np.array([-300.0, -500.0, 900.0]))
 
 

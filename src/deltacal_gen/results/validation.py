@@ -90,6 +90,15 @@ class Placed(Value):
         return f"{known}. It was placed by its {self.readings} readings ({self.unknowns} numbers); {errors}."
 
 
+class Apart(Value):
+    """Readings that are off by more than three times what any other is."""
+
+    lines: tuple[int, ...]
+    """The farthest off first."""
+    rms_of_others_mm: float
+    largest_of_others_mm: float
+
+
 class Validation(Answer):
     """The error of a calibrated or diagnosed model on readings that it has not seen."""
 
@@ -118,6 +127,8 @@ class Validation(Answer):
     """What one unit is at the platform."""
     gross_errors: tuple[int, ...] | None = None
     """Lines of points that were found wrongly in images, which no figure counts; left out of other readings."""
+    apart: Apart | None = None
+    """Readings of which the error tells more than of the machine; left out where there are none."""
     outside_law: int | None = None
     """Rows outside the range in which a law of the diagnosis was found; left out where it has none."""
     seen: Literal[True] | None = None
@@ -131,7 +142,7 @@ class Validation(Answer):
     @property
     def headline(self) -> str:
         """The error against the noise."""
-        unit, length = (self.unit, self.unit_mm) if self.unit and self.unit_mm else ("mm", 1.0)
+        unit, length = self._shown
         return (
             f"{self.readings} readings: rms {self.rms_mm / length:.4g} {unit}, largest {self.worst_mm / length:.4g} "
             f"{unit} (noise {self.sigma_mm / length:.3g} {unit})"
@@ -141,13 +152,28 @@ class Validation(Answer):
     def told(self) -> tuple[str, ...]:
         """What is to be known beside the error: of which readings it is, and where the model is not known."""
         lines, outside = ", ".join(map(str, self.gross_errors or ())), self.outside_law
+        far = [] if self.apart is None else [self._of_apart(self.apart)]
         return (
             *([SEEN] if self.seen else []),
             *([f"points found wrongly in lines {lines}: no figure counts them"] if lines else []),
+            *far,
             *(p.sentence for p in self.placed or ()),
             *([f"{outside} rows lie outside the range in which the law was found"] if outside else []),
             *(joint.words for joint in self.never_seen),
             *(joint.beyond_words for joint in self.beyond_waves or ()),
+        )
+
+    @property
+    def _shown(self) -> tuple[str, float]:
+        return (self.unit, self.unit_mm) if self.unit and self.unit_mm else ("mm", 1.0)
+
+    def _of_apart(self, far: Apart) -> str:
+        unit, length = self._shown
+        lines = f"line{'s' if len(far.lines) > 1 else ''} {', '.join(map(str, far.lines))}"
+        one = "more than three times as far off as any other reading"
+        return (
+            f"{lines}: {one}, which no machine does without a cause: look there first; all others: rms "
+            f"{far.rms_of_others_mm / length:.4g} {unit}, largest {far.largest_of_others_mm / length:.4g} {unit}"
         )
 
     def table(self) -> tuple[Row, ...]:

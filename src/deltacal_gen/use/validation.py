@@ -15,7 +15,7 @@ import numpy as np
 
 from deltacal_gen.diagnosis.spectrum import never_seen
 from deltacal_gen.errors import InputError, NoSolutionError
-from deltacal_gen.estimation.residuals import lengths, wrongly_found
+from deltacal_gen.estimation.residuals import APART, GROSS, MOST_APART, lengths, rms, wrongly_found
 from deltacal_gen.instrument.kind import Instrument, Readings
 from deltacal_gen.instrument.kinds import instrument_of, readings
 from deltacal_gen.machine.registry import Array
@@ -24,7 +24,7 @@ from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.motion import with_motion
 from deltacal_gen.results.diagnosis import Diagnosis
 from deltacal_gen.results.result import Result
-from deltacal_gen.results.validation import AxisPlace, Iso230, Iso9283, Placed, Row, Validation
+from deltacal_gen.results.validation import Apart, AxisPlace, Iso230, Iso9283, Placed, Row, Validation
 from deltacal_gen.units import DEG, file_unit, of_joints, to_internal
 from deltacal_gen.use import iso230, iso9283
 from deltacal_gen.use.prediction import (
@@ -87,6 +87,7 @@ def validate(result: Result | Diagnosis, recording: Recording) -> Validation:
         unit=unit and unit[0],
         unit_mm=unit and unit[1],
         gross_errors=tuple(found.line[wrong].tolist()) if found.kind.picked else None,
+        apart=_apart(result.sigma_mm, found, left),
         outside_law=int(beyond_laws(result, recording).sum()) if has_law(result) else None,
         repairs=recording.repairs or None,
         never_seen=never_seen(result.seen, calibrated_robot(result).joint_sign * recording.joints),
@@ -175,6 +176,24 @@ def _motion(before: Instrument, after: Instrument, result: Result | Diagnosis, n
     (turn, origin), (turned, moved) = old[setups.index(name) if name in setups else 0], new[-1]
     angle = np.linalg.norm(to_vector((from_vector(turned[None])[0] @ from_vector(turn[None])[0].T)[None])[0])
     return {"shift_mm": float(np.linalg.norm(moved - origin)), "turn_deg": float(angle / DEG)}
+
+
+def _apart(sigma: float, found: Readings, r: Array) -> Apart | None:
+    """Return the readings that are far off and no others nearly so; None where there are none, or too many."""
+    read = lengths(r, found.kind)
+    size = np.linalg.norm(np.nan_to_num(read), axis=1)
+    order = np.argsort(-size)
+    most = int(MOST_APART * len(size))
+    least, next_to_it = size[order[:most]], size[order[1 : most + 1]]
+    gaps = np.flatnonzero((least > APART * next_to_it) & (least > GROSS * sigma))
+    if not len(gaps):
+        return None
+    far, others = order[: gaps[-1] + 1], order[gaps[-1] + 1 :]
+    return Apart(
+        lines=tuple(found.line[far].tolist()),
+        rms_of_others_mm=rms(read[others]),
+        largest_of_others_mm=float(size[others[0]]),
+    )
 
 
 def _repeated(found: Readings, r: Array) -> Iso9283 | None:
