@@ -13,7 +13,7 @@ from deltacal_gen.estimation import fit as fitting
 from deltacal_gen.estimation.fit import rough
 from deltacal_gen.estimation.prior import UNSAID
 from deltacal_gen.estimation.problem import pose_problem
-from deltacal_gen.files.robot import Robot
+from deltacal_gen.files.robot import Robot, robot_from_dict, robot_to_dict
 from deltacal_gen.identification.checks import plausible
 from deltacal_gen.identification.identification import identify
 from deltacal_gen.machine.registry import Machine
@@ -73,6 +73,22 @@ def test_of_a_poor_machine_that_is_refused_the_mistakes_are_told_with_which_it_w
     wrong = dataclasses.replace(poor, joints=MISTAKES[words](poor))
     with pytest.raises(InputError, match="more than any error of its parts. They would be .* mm off if .*" + words):
         plausible(rough(pose_problem(arm, wrong, ()), must_converge=False))
+
+
+LINKS = {
+    "of the other convention .convention = .standard.": lambda k, row: {"convention": "modified"},
+    "alpha of ..joint.. 3 counts the other way": lambda k, row: {"alpha": -row["alpha"]} if k == 3 else {},
+    "d of ..joint.. 4 is in cm": lambda k, row: {"d": row["d"] / 10} if k == 4 else {},
+    "a of ..joint.. 2 is in metres": lambda k, row: {"a": row["a"] / 1000} if k == 2 else {},
+}
+
+
+@pytest.mark.parametrize("words", LINKS)
+def test_a_mistake_in_the_table_of_links_is_named_alone(arm: Robot, words: str) -> None:
+    good, tables = recorded(arm, wide(np.random.default_rng(2), 120, 1.2), size=0.3), robot_to_dict(arm)
+    tables["joint"] = [row | LINKS[words](k, row) for k, row in enumerate(tables["joint"], start=1)]
+    with pytest.raises(InputError, match=f"agree with it if [^,]*{words}[^,]*[.] Correct"):
+        plausible(rough(pose_problem(robot_from_dict(tables), good, ()), must_converge=False))
 
 
 def test_poses_the_other_way_round_are_named(arm: Robot) -> None:
