@@ -67,6 +67,10 @@ def test_a_ball_in_sockets_calibrates_an_arm(tmp_path: Path) -> None:
     assert result["model"] == "serial/dh"
     assert result["train_rms_mm"] < 0.01
     at = {c["name"]: np.array(c["position_mm"]) for c in result["contacts"]}
+    words = result.to_json()
+    assert "where the touched points lie are one number in these readings" in words
+    assert "instrument stands" not in words  # there is none, nor one that reads rotations
+    assert "the platform's rotation" not in words
     for name in SOCKETS:
         if name.endswith("0"):
             assert np.linalg.norm(at[name] - at[name[:-1] + "1"]) == pytest.approx(50.0, abs=1e-9)

@@ -39,6 +39,8 @@ class Contact(Kind):
     formulas: ClassVar[str] = "position"
     anew: ClassVar[bool] = True
     follows: ClassVar[bool] = True
+    whereabouts: ClassVar[str] = "where the touched points lie"
+    rotation_beside: ClassVar[bool] = False  # who touches points has no instrument that reads it
 
     @property
     def meaning(self) -> str:
