@@ -36,7 +36,7 @@ def as_read(at: Fit, *, robust: bool = True) -> Fit | None:
 
     A rod that is a decimetre longer than drawn is so incredible that a fit whose noise is open believes in noise of
     centimetres instead. Readings whose noise is known, if roughly, or that leave what no stiff machine does, are
-    asked whether another machine gives them.
+    asked whether another machine gives them: the first steps tell, and only what they come near is fitted whole.
     """
     problem, count = at.problem, len(at.problem.names)
     if problem.readings.kind.sees_joints or not count:
@@ -52,12 +52,12 @@ def as_read(at: Fit, *, robust: bool = True) -> Fit | None:
         return None
     few = problem.readings.n_scalars < SPARE * count
     drawn, said = with_prior(problem.with_names(problem.names), problem.robot)
+    how: dict[str, Any] = {"robust": robust, "must_converge": False}
+    worth = PROMISED * problem.readings.n_scalars
     for wider in WIDER:
         scale = problem.scale.copy()
         scale[:count] = drawn.scale[:count] * np.where(said, 1.0, wider)
         wide = dataclasses.replace(problem, scale=scale)
-        how: dict[str, Any] = {"robust": robust, "must_converge": False}
-        worth = PROMISED * problem.readings.n_scalars
         try:
             other = fit(wide, Prior(), errors=at.errors, instrument=at.instrument, tolerance=worth, across=True, **how)
             if other.rms() < NEARLY * ANOTHERS * at.rms():
