@@ -234,6 +234,9 @@ def test_a_channel_that_is_not_given_is_asked_for(
     predict(found, fresh)
     with pytest.raises(InputError, match=rf"what was diagnosed \({name}\) needs the column.*{missing}"):
         predict(found, dataclasses.replace(fresh, channels=channels))
+    with pytest.raises(InputError) as refused:
+        predict(found, dataclasses.replace(fresh, channels={}))
+    assert ("; or time_s, and run" in str(refused.value)) is (name == "backlash")  # of which ways of approach are made
 
 
 def test_other_rows_of_a_series_stand_before_or_after_a_jump_by_the_numbers_of_their_poses(

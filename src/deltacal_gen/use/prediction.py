@@ -32,6 +32,7 @@ from deltacal_gen.physics.terms import Term, of_reading, term_of
 from deltacal_gen.results.diagnosis import Diagnosis, SmoothCorrection
 from deltacal_gen.results.parts import MachineState, NeverSeen
 from deltacal_gen.results.result import Result
+from deltacal_gen.states import ACCELERATIONS, APPROACH, SPEEDS
 from deltacal_gen.units import DEG
 
 Known = Result | Diagnosis | MachineState  # of a machine: what is predicted from
@@ -280,10 +281,18 @@ def prediction_problem(
         if why := problem.body.missing(term):
             raise InputError(
                 f"what was diagnosed ({term.effect}) needs {why}.",
-                "Add it, with the values at which the readings are to be predicted.",
+                f"Add it, with the values at which the readings are to be predicted{_made_of(term, recording)}.",
                 file=recording.path,
             )
     return problem, instrument
+
+
+def _made_of(term: Term, recording: Recording) -> str:
+    """Return what the states of an effect are made of, in words, where a recording could have that in their place."""
+    of_motion = any(c.column in (SPEEDS, ACCELERATIONS, APPROACH) for s in term.states for c in s.channels)
+    if not of_motion or recording.time_s is not None:
+        return ""
+    return "; or time_s, and run where a movement begins anew, of rows along it: it is made of them"
 
 
 def has_law(result: Known) -> bool:
