@@ -189,13 +189,17 @@ def test_what_no_poses_decide_is_not_promised_to_be_decided(weak: Diagnosed) -> 
     told = dataclasses.replace(weak, next_measurements=none).answer().summary
     assert promised not in told
     assert "poses of this machine would not decide it" in told
+    at = weak.final
+    unlimited = dataclasses.replace(at.problem.robot, workspace=None, joint_limits=None)
+    seen = dataclasses.replace(at, problem=dataclasses.replace(at.problem, robot=unlimited))
+    told = dataclasses.replace(weak, final=seen, next_measurements=none).answer().summary
+    assert "poses within what the joints have moved would not decide it" in told
 
 
 def test_brackets_of_a_robot_file_s_tables_are_printed(weak: Diagnosed, capsys: pytest.CaptureFixture[str]) -> None:
     """They were read as markup: `limits_deg or limits_mm under  in the robot file`."""
     none = tuple(n.replace(poses=(), text=NONE_SO_FAR) for n in weak.next_measurements)
     told = dataclasses.replace(weak, next_measurements=none).answer()
-    assert "poses within what the joints have moved would not decide it" in told.summary
     show_diagnosis(told)
     assert "under [joints] in the robot file" in " ".join(capsys.readouterr().out.split())
 

@@ -9,10 +9,11 @@ from typing import Literal
 
 import numpy as np
 
+from deltacal_gen.diagnosis.candidates import within_limits
 from deltacal_gen.diagnosis.chance import Chance
 from deltacal_gen.diagnosis.charges import several
 from deltacal_gen.diagnosis.correction import POSITION, Correction
-from deltacal_gen.diagnosis.discrimination import NO_POSES, NONE_SO_FAR, more_poses
+from deltacal_gen.diagnosis.discrimination import more_poses
 from deltacal_gen.diagnosis.findings import Named
 from deltacal_gen.diagnosis.harmonics import order_of, unrepeated
 from deltacal_gen.diagnosis.laws.laws import Lawful
@@ -449,10 +450,10 @@ def _hinted(found: Diagnosed) -> str:
     why = f"earned {'their' if several else 'its'} price but {'are' if several else 'is'} not proven"
     why = why if all(h.earned for h in shown) else "is not proven"
     names = {h.name for h in shown}
-    asked = [n.text for n in found.next_measurements if n.separates and n.separates[0] in names]
+    asked = [n for n in found.next_measurements if n.separates and n.separates[0] in names]
     decides = ": what to measure next would decide it"
-    if asked and all(text.startswith((NO_POSES, NONE_SO_FAR)) for text in asked):
-        which = "of this machine" if asked[0].startswith(NO_POSES) else "within what the joints have moved"
+    if asked and all(n.expected_chi2 is not None and not n.poses for n in asked):  # none promise enough
+        which = "of this machine" if within_limits(found.final.problem) else "within what the joints have moved"
         decides = f", and poses {which} would not decide it"
     return f" There may {'' if calm else 'also '}be {told}{more}, which {why}{decides}."
 
