@@ -27,6 +27,7 @@ NEAR_ZERO = 0.1  # of a state's width: what begins farther from nought does not 
 # what comes once: a step in it, or a bump, is an event and no law
 ONCE = tuple(s.name for s in STATES.values() if s.passes)
 CONSTANT = re.compile(r"\{(\d+)\}")
+LAG = "Lag("  # begins what follows a state with a delay
 
 
 @dataclass(frozen=True)
@@ -113,6 +114,11 @@ class Form:
         names = [f"c{n + k + 1}" for k in range(len(self.constants))]
         return " + ".join(f"c{k}" if f == "1" else f"c{k}*{f.format(*names)}" for k, f in enumerate(self.functions, 1))
 
+    @property
+    def lags(self) -> bool:
+        """Whether a function of it follows a state with a delay, as `lagging` has it."""
+        return any(LAG in function for function in self.functions)
+
     def with_constants(self, constants: Sequence[float] | Array) -> Form:
         """Return the form with other constants."""
         return replace(self, constants=tuple(map(float, constants)))
@@ -145,7 +151,7 @@ def product(a: tuple[str, Atom], b: tuple[str, Atom], beside: bool = False) -> F
 
 def lagging(state: str, tau: float) -> Atom:
     """Return a state that lags by a time constant."""
-    return Atom(f"Lag({state}, {{0}})", (tau,), 4)
+    return Atom(f"{LAG}{state}, {{0}})", (tau,), 4)
 
 
 def plain(state: str, values: Array) -> list[Atom]:

@@ -153,7 +153,7 @@ def _middle(ground: Ground, every: Sequence[Tried]) -> Tried:
     best = max(_worth(t) for t in every)
     near = [t for t in every if _worth(t) > best - HARDLY]
     simplest = [k for k, t in enumerate(near) if t.form.length == min(o.form.length for o in near)]
-    if len(simplest) == 1 or any("Lag(" in t.form.text for t in near):
+    if len(simplest) == 1 or any(t.form.lags for t in near):
         return max((near[k] for k in simplest), key=_worth)
     weights = np.exp([(_worth(t) - best) / 2 for t in near])
     moved = np.array([beyond - within.mean() for within, beyond in (_moved(ground, t) for t in near)])
@@ -168,7 +168,7 @@ def _worth(tried: Tried) -> float:
 
 def _runs_away(ground: Ground, tried: Tried) -> bool:
     """Tell whether a form grows beyond where it was seen to many times what it was there."""
-    if "Lag(" in tried.form.text:
+    if tried.form.lags:
         return False
     within, beyond = _moved(ground, tried)
     return bool(np.ptp(beyond) > RUNS * np.ptp(within))
