@@ -215,7 +215,8 @@ def placed(ground: Ground, tried: Tried) -> Tried:
     Places were compared by few simple forms; a curve tells them apart that is nearly right.
     """
     own = ground.place(tried.target)
-    others = [p for p in ground.places if p.limbs == own.limbs and (p.remembers or not tried.form.lags) and p is not own]
+    able = [p for p in ground.places if p.remembers or not tried.form.lags]
+    others = [p for p in able if p.limbs == own.limbs and p is not own]
     read = [p for p in others if set(tried.form.states) <= set(ground.readable(p))]
     at = [
         dataclasses.replace(tried, target=p.target, gain=ground.gain(p, tried.form, tried.limbs)) for p in (own, *read)
