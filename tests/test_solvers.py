@@ -155,3 +155,10 @@ def test_what_no_reading_sees_stays_where_it_is() -> None:
     rng = np.random.default_rng(6)
     A, b = 1e-12 * rng.standard_normal((30, 3)), rng.standard_normal(30)
     assert (LeastSquares().solve(A, b).u == 0).all()
+
+
+def test_a_number_of_directions_may_be_one_of_numpy() -> None:
+    assert TSVD(np.int64(3)) == TSVD(3)
+    for wrong in (-1, 2.5, "3"):
+        with pytest.raises(UsageError, match=f"truncation '{wrong}' is not known"):
+            TSVD(wrong)  # type: ignore[arg-type]

@@ -12,6 +12,7 @@ import dataclasses
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
+from numbers import Integral
 from typing import Protocol
 
 import numpy as np
@@ -219,7 +220,9 @@ class TSVD:
     chosen_by: str = "given"
 
     def __post_init__(self) -> None:
-        if isinstance(self.truncation, str) and self.truncation not in ("discrepancy", "gcv"):
+        if isinstance(self.truncation, Integral) and self.truncation >= 0:
+            object.__setattr__(self, "truncation", int(self.truncation))  # one of NumPy too
+        elif self.truncation not in ("discrepancy", "gcv"):
             raise UsageError(f"truncation '{self.truncation}' is not known; give a number, 'discrepancy' or 'gcv'.")
         if self.truncation == "discrepancy" and self.noise is None:
             raise UsageError("the discrepancy principle needs a known noise: give sigma_mm in the sidecar.")
