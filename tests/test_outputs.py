@@ -73,6 +73,13 @@ def test_the_standard_output_is_written_through(name: str) -> None:
     assert "parameters identified" in done.stderr
 
 
+def test_two_outputs_do_not_go_to_the_standard_output(run: Run) -> None:
+    for command in (("identify", ROBOT, RECORDING), ("plan", ROBOT, "--model", "18")):
+        code, out, told = run(*command, "--json", "-o", "-")
+        assert (code, out) == (2, "")
+        assert "leave one of them out" in told
+
+
 @linux
 def test_devices_stay_devices(tmp_path: Path) -> None:
     write_files({Path(os.devnull): "text"})

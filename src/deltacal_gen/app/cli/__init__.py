@@ -14,7 +14,8 @@ import os
 import sys
 import traceback
 from collections.abc import Callable
-from functools import cache
+from functools import cache, wraps
+from pathlib import Path
 from typing import Annotated, Any
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # the matrices are small: threads only wait for one another
@@ -22,7 +23,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # the matrices are small: th
 import typer
 
 from deltacal_gen.app.cli import calibration, common, experiments, guide, many, model_side, sources, use
-from deltacal_gen.errors import DeltacalError
+from deltacal_gen.errors import DeltacalError, UsageError
 from deltacal_gen.version import __version__
 
 FAULT = 70  # EX_SOFTWARE of sysexits.h
@@ -62,8 +63,25 @@ _COMMANDS: dict[str, Callable[..., None]] = {  # in the order of the help
     "batch": many.batch,
     "manual": guide.manual,
 }
+
+
+def _one_output(command: Callable[..., None]) -> Callable[..., None]:
+    """Return a command that refuses to print its JSON and a file to one standard output, which no script could part."""
+
+    @wraps(command)
+    def run(**given: Any) -> None:
+        if given.get("as_json"):
+            from deltacal_gen.files.writing import is_standard_output
+
+            if any(isinstance(value, Path) and is_standard_output(value) for value in given.values()):
+                raise UsageError("--json and a file would both go to the standard output; leave one of them out.")
+        command(**given)
+
+    return run
+
+
 for _name, _command in _COMMANDS.items():
-    app.command(_name)(_command)
+    app.command(_name)(_one_output(_command))
 app.add_typer(sources.camera_app, name="camera")
 
 
