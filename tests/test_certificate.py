@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shutil
 import xml.etree.ElementTree as ET
 from pathlib import Path
 from typing import Any
@@ -220,6 +221,15 @@ def test_readings_of_the_fit_are_no_check_of_it(result: dc.Result, tmp_path: Pat
     with pytest.raises(InputError, match="made of these readings"):
         dc.certificate(result, DELTA / "recording.csv", tmp_path / "c.html")
     assert not [*tmp_path.iterdir()]
+
+
+@pytest.mark.parametrize("name", ["own.txt", "own.CSV", "own.tsv"])
+def test_readings_of_the_fit_are_told_by_any_ending(tmp_path: Path, name: str) -> None:
+    shutil.copyfile(DELTA / "recording.csv", tmp_path / name)
+    shutil.copyfile(DELTA / "recording.toml", tmp_path / "own.toml")
+    fitted = dc.identify(ROBOT, tmp_path / name, model="18")
+    with pytest.raises(InputError, match="made of these readings"):
+        dc.certificate(fitted, tmp_path / name, tmp_path / "c.html")
 
 
 def test_a_result_without_uncertainty_is_refused(other: Path) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
+import pandas as pd
 import pytest
 
 import deltacal_gen as dc
@@ -52,6 +53,15 @@ FORMS: dict[str, str | bytes] = {
     ),
     "a row of units": rows(header=["pose", "q1", "q2", "q3", "X", "Y", "Z", "payload"]).replace(
         "payload\n", "payload\n,deg,deg,deg,mm,mm,mm,kg\n"
+    ),
+    "a header that is a remark": "# made on Monday\n# " + rows(),  # as numpy.savetxt writes it
+    "the same twice, in two units": "".join(
+        f"{line},{more}\n"
+        for line, more in zip(
+            rows(header=[*HEADER[:-1], "payload_g"]).replace(",0.5", ",500").replace(",1.5", ",1500").splitlines(),
+            ("X [m]", "1.2345", "0.00025"),
+            strict=True,
+        )
     ),
     "a preamble": "Tracker AT960; serial 123\nDate:;22.11.2026\nOperator;A. B.\n\n" + rows(",", ";"),
     "other units": (
@@ -234,3 +244,56 @@ def test_a_quaternion_says_how_a_platform_shall_stand(tmp_path: Path) -> None:
     asked = read_recording(path, load_mechanism("hexapod"), need_measured=False, allow_targets=True).targets
     assert asked is not None
     assert asked[0, 3:].reshape(3, 3) == pytest.approx(np.diag([-1.0, 1, -1]), abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("begin", "told"),
+    [
+        (b"PK\x03\x04", "no text, but a workbook or an archive. Save the sheet as .xlsx"),
+        (b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", "a workbook of an old kind"),
+        (b"\x1f\x8b", "compressed"),
+        (b"PAR1", "Give it the ending .parquet"),
+    ],
+)
+def test_what_is_no_text_is_named(tmp_path: Path, begin: bytes, told: str) -> None:
+    with pytest.raises(InputError, match=told):
+        read(tmp_path, begin + bytes(200))
+
+
+def test_a_column_that_is_missing_is_looked_for_among_the_others(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match=r"Other columns are Joint 1 \(deg\), J2, A3"):
+        read(tmp_path, rows(header=["pose", "Joint 1 (deg)", "J2", "A3", "x_mm", "y_mm", "z_mm", "payload_kg"]))
+
+
+@pytest.mark.parametrize("ending", [".parquet", ".PARQUET"])
+def test_numbers_in_parquet_have_the_units_that_their_columns_say(tmp_path: Path, ending: str) -> None:
+    frame = pd.DataFrame(TABLE, columns=HEADER)
+    other = frame.drop(columns=["payload_kg", "x_mm"]).assign(
+        payload_g=1000 * frame["payload_kg"],
+        **{"X [m]": frame["x_mm"] / 1000},
+        timestamp=pd.to_datetime(["2026-11-22T08:00:00.5Z", "2026-11-22T08:00:02.0Z"]),
+    )
+    other.to_parquet(tmp_path / f"recording{ending}")
+    recording, same = read_recording(tmp_path / f"recording{ending}", DELTA), read(tmp_path, rows())
+    assert recording.measured == pytest.approx(same.measured)
+    assert recording.payload_kg == pytest.approx(same.payload_kg)
+    assert np.diff(recording.channels["time_s"]) == pytest.approx(1.5)
+    assert set(recording.channels) == {"payload_kg", "time_s"}
+
+
+@pytest.mark.parametrize("name", ["recording.csv.toml", "recording.TOML"])
+def test_a_sidecar_by_another_name_is_not_passed_over(tmp_path: Path, name: str) -> None:
+    (tmp_path / name).write_text("[measurement]\nframe = 'robot'\n")
+    if (tmp_path / "recording.toml").exists():
+        pytest.skip("a disk on which both are one name")
+    with pytest.raises(InputError, match=r"the sidecar of recording.csv, which is recording.toml. Rename it"):
+        read(tmp_path, rows())
+    (tmp_path / "recording.toml").write_text("[measurement]\nframe = 'robot'\n")
+    assert read(tmp_path, rows()).measurement.frame == "robot"
+
+
+@pytest.mark.parametrize("folder", [".", "/"])
+def test_a_folder_is_no_recording(run: Run, folder: str) -> None:
+    code, _, told = run("identify", example().parent / "delta" / "robot.toml", folder)
+    assert code == 3
+    assert "Is a directory" in told

@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pandas as pd
+import pyarrow as pa
 import pytest
 import xarray as xr
 
 import deltacal_gen as dc
 from deltacal_gen.app.demonstration import example
+from deltacal_gen.files.recording import recording_of
 
 DELTA = example().parent / "delta"
+GEARBOX = example().parent / "gearbox" / "recording.csv"
 
 
 @pytest.fixture(scope="module")
@@ -73,3 +78,68 @@ def test_a_compensator_of_a_result_is_that_of_its_machine(result: dc.Result) -> 
 def test_a_misspelt_channel_is_an_error(result: dc.Result) -> None:
     with pytest.raises(dc.UsageError, match=r"no channel 'payload'\. Did you mean 'payload_kg'"):
         dc.compensate(result, np.array([[0.0, 0.0, -853.0]]), channels={"payload": 2.0})
+
+
+def test_a_data_frame_is_read_as_its_file_is() -> None:
+    delta, frame = dc.load_mechanism("delta"), pd.read_csv(GEARBOX)
+    want = dc.read_recording(GEARBOX, delta)
+    same: list[Any] = [
+        frame.set_index("pose"),
+        frame.rename(columns={"x_mm": "X [mm]", "q1_deg": " Q1 (deg) "}),
+        frame.drop(columns="temp_C").assign(temp_K=frame["temp_C"] + 273.15),
+        frame.drop(columns="payload_kg").assign(payload_g=1000 * frame["payload_kg"]),
+        frame.drop(columns="time_s").assign(timestamp=pd.to_datetime(frame["time_s"], unit="s")),
+        pa.Table.from_pandas(frame),
+    ]
+    for given in same:
+        found = recording_of(given, delta)
+        assert found.pose.tolist() == want.pose.tolist()
+        assert found.measured == pytest.approx(want.measured)
+        assert set(found.channels) == set(want.channels)
+        for name, values in want.channels.items():
+            assert found.channels[name] == pytest.approx(values), name
+
+
+def test_mistakes_of_a_data_frame_are_told() -> None:
+    delta, frame = dc.load_mechanism("delta"), pd.read_csv(GEARBOX)
+    with pytest.raises(dc.InputError, match=r"column 'x_mm': the name stands over columns 5 and 14"):
+        recording_of(pd.concat([frame, frame[["x_mm"]]], axis=1), delta)
+    with pytest.raises(dc.InputError, match=r"data frame: there is no row"):
+        recording_of(frame.iloc[:0], delta)
+    attrs: list[tuple[dict[str, Any], str]] = [
+        ({"measurment": {"sigma_mm": 0.01}}, "Did you mean 'measurement'"),
+        ({"sigma_mm": 0.01}, r"It belongs to \[measurement\]"),
+        ({"contacts": {"distance": []}}, r"'distance' in \[contacts\]"),
+    ]
+    for said, told in attrs:
+        frame.attrs = said
+        with pytest.raises(dc.InputError, match=told):
+            recording_of(frame, delta)
+    frame.attrs = {"title": "of another program", "instrument": 7, "camera": "in the hall"}
+    assert recording_of(frame, delta).n_rows == len(frame)
+
+
+def test_targets_of_a_data_frame_count_by_name(result: dc.Result) -> None:
+    targets = np.array([[0.0, 0.0, -853.0], [30.0, -20.0, -900.0]])
+    want = dc.compensate(result, targets)
+    frame = pd.DataFrame(targets, columns=["x_mm", "y_mm", "z_mm"])
+    metres = (frame / 1000).rename(columns=lambda name: name.replace("mm", "m"))
+    for given in (frame, frame[["z_mm", "x_mm", "y_mm"]], frame.assign(pose=["a", "b"]), metres, pd.DataFrame(targets)):
+        assert dc.compensate(result, given) == pytest.approx(want)
+    with pytest.raises(dc.InputError, match="'z_mm': the column is missing"):
+        dc.compensate(result, frame[["x_mm", "y_mm"]])
+
+
+def test_an_array_that_holds_no_targets_is_told(result: dc.Result) -> None:
+    targets = np.array([[0.0, 0.0, -853.0], [30.0, -20.0, -900.0]])
+    wrong: list[tuple[Any, str]] = [
+        (targets[0], r"the shape \(3,\); \(N, 3\) mm is expected"),
+        (targets.T, r"the shape \(3, 2\)"),
+        (np.ma.masked_greater(targets, 20.0), "target 2 is not a finite number"),
+        (np.where(targets > 20.0, np.nan, targets), "target 2 is not a finite number"),
+        (targets * 1j, "of no real numbers"),
+        ([[1, 2, 3], [1, 2]], "a list of no real numbers"),
+    ]
+    for given, told in wrong:
+        with pytest.raises(dc.UsageError, match=told):
+            dc.compensate(result, given)

@@ -6,6 +6,7 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
+from deltacal_gen.errors import InputError
 from deltacal_gen.instrument import kinds
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.rotation import Array
@@ -37,3 +38,22 @@ def distances_path(path: Path) -> Path:
 def instrument_path(path: Path) -> Path:
     """Return where the readings of a recording lie, if the instrument has a clock of its own."""
     return path.with_name(f"{path.stem}.instrument{path.suffix}")
+
+
+def sidecar_path(path: Path) -> Path:
+    """Return where the sidecar of a recording lies, if there is one.
+
+    Raises
+    ------
+    InputError
+        What lies there instead has the name that one thinks of first, ``NAME.csv.toml``: it would not be read.
+    """
+    if not path.name:  # a folder, "." or "/": itself, which those who read it name
+        return path
+    own = path.with_suffix(".toml")
+    for other in (path.with_name(f"{path.name}.toml"), path.with_suffix(".TOML")):
+        if other != own and other.exists() and not own.exists():
+            raise InputError(
+                f"this looks like the sidecar of {path.name}, which is {own.name}.", "Rename it.", file=other
+            )
+    return own

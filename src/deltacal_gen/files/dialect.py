@@ -153,24 +153,43 @@ def layout_of(path: Path, lines: Sequence[tuple[int, str]]) -> Layout:
 
 def _header(lines: Sequence[tuple[int, str]]) -> tuple[int, str]:
     """Return which line is the header, and its separator: the first with columns that are known, or the first line."""
-    for k, (_, text) in enumerate(lines[:LOOKED_AT]):
-        for separator in SEPARATORS:
-            cells = [c.strip().strip('"') for c in text.split(separator)]
-            if len(cells) > 1 and sum(_known(converted(c)[0]) for c in cells) > 1:
-                return k, separator
+    if (found := _named(lines)) is not None:
+        return found
     first = lines[0][1]
     return 0, max(SEPARATORS, key=lambda s: first.count(s))
 
 
+def _named(lines: Sequence[tuple[int, str]]) -> tuple[int, str] | None:
+    """Return the first line with columns that are known, and their separator; None where there is none."""
+    for k, (_, text) in enumerate(lines[:LOOKED_AT]):
+        for separator in SEPARATORS:
+            cells = [c.strip().strip('"') for c in text.split(separator)]
+            if len(cells) > 1 and sum(is_known(converted(c)[0]) for c in cells) > 1:
+                return k, separator
+    return None
+
+
+def with_header(lines: list[tuple[int, str]], remarks: Sequence[tuple[int, str]]) -> list[tuple[int, str]]:
+    """Return lines that hold cells with their header, which may be a remark before them, as `numpy.savetxt` writes it.
+
+    `remarks` are lines that begin with #, numbered likewise.
+    """
+    before = [(number, text.lstrip("# \t")) for number, text in remarks if number < lines[0][0]][::-1]
+    if _named(lines) is not None or (found := _named(before)) is None:
+        return lines
+    return [before[found[0]], *lines]
+
+
 def _check_separated(path: Path, line: int, names: Sequence[str]) -> None:
     """Raise an InputError where a header is parted by blanks alone."""
-    if len(names) == 1 and sum(_known(converted(name)[0]) for name in names[0].split()) > 1:
+    if len(names) == 1 and sum(is_known(converted(name)[0]) for name in names[0].split()) > 1:
         raise InputError(
             "its columns are parted by blanks.", "Part them by commas, semicolons or tabs.", file=path, line=line
         )
 
 
-def _known(name: str) -> bool:
+def is_known(name: str) -> bool:
+    """Tell whether a column of this name, as files here have it, means something to the program."""
     plain = name in RESERVED or name in LABELS or JOINT.fullmatch(name) or is_channel(name)
     return bool(plain or re.fullmatch(r"q\d+[ab]?(_(deg|mm))?", name))
 

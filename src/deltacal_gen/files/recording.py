@@ -31,11 +31,11 @@ from deltacal_gen.files.columns import (
     is_channel,
 )
 from deltacal_gen.files.dialect import LOOKED_AT
+from deltacal_gen.files.frames import rows_of
 from deltacal_gen.files.logged import put_right
 from deltacal_gen.files.quaternions import with_vectors
-from deltacal_gen.files.rows import Rows, csv_blocks, number_of, parquet_blocks, read_csv, read_table
+from deltacal_gen.files.rows import PARQUET, Rows, csv_blocks, number_of, parquet_blocks, read_csv, read_table
 from deltacal_gen.files.sidecar import Sidecar, measurement_of, read_sidecar
-from deltacal_gen.files.toml import TomlFile
 from deltacal_gen.instrument import kinds
 from deltacal_gen.instrument.kind import Kind
 from deltacal_gen.instrument.kinds import PAIRS, POINTS, kind_of
@@ -123,29 +123,19 @@ def recording_of(
     doubtful: bool = False,
     like: InstrumentState | None = None,
 ) -> Recording:
-    """Return a data frame, or what makes one (``to_dataframe()``, as of xarray), as a recording.
+    """Return a data frame, or what makes one (``to_dataframe()``, ``to_pandas()``), as a recording.
 
-    Columns are those of a file. What a sidecar would say stands in ``attrs``:
+    Columns are those of a file, in any of its units. What a sidecar would say stands in ``attrs``:
     ``frame.attrs["measurement"] = {"frame": "robot", "sigma_mm": 0.01}``.
 
     Raises
     ------
+    UsageError
+        It is no data frame.
     InputError
         As `read_recording`; lines count the rows from 1.
     """
-    if not (hasattr(frame, "to_dataframe") or hasattr(frame, "columns")):
-        raise UsageError(
-            f"a {type(frame).__name__} is no recording: give the path of a file, or a data frame with its columns."
-        )
-    said = dict(getattr(frame, "attrs", {})).get("measurement", {})
-    table: Any = frame.to_dataframe().reset_index() if hasattr(frame, "to_dataframe") else frame
-    cells = {
-        str(name): ["" if blank else str(value) for value, blank in zip(table[name], table[name].isna(), strict=True)]
-        for name in table.columns
-    }
-    path = Path("data frame")
-    rows = Rows(path, cells, np.arange(1, len(table) + 1), None)
-    sidecar = TomlFile(path, "", {"measurement": said}).check(Sidecar)
+    rows, sidecar = rows_of(frame)
     how: dict[str, Any] = {
         "need_measured": need_measured,
         "allow_targets": allow_targets,
@@ -180,7 +170,7 @@ def read_blocks(
         raise UsageError(f"rows = {rows}: a block needs a whole number of rows, at least 1.")
     path = Path(path)
     sidecar, done, setups, blank = read_sidecar(path), 0, set[str](), need_measured
-    for block in parquet_blocks(path, rows) if path.suffix == ".parquet" else csv_blocks(path, rows):
+    for block in parquet_blocks(path, rows) if path.suffix.lower() == PARQUET else csv_blocks(path, rows):
         part = _recording(path, block, sidecar, mechanism, need_measured, allow_targets, doubtful=False)
         setups |= {*part.setup_names}
         several = f"several set-ups ({', '.join(sorted(setups))})"

@@ -7,6 +7,7 @@ import csv
 import dataclasses
 import itertools
 import re
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -25,11 +26,20 @@ from deltacal_gen.files.dialect import (
     in_seconds,
     layout_of,
     plain_number,
+    with_header,
 )
-from deltacal_gen.files.toml import nearest
+from deltacal_gen.files.toml import nearest, read_bytes
 
 WORKBOOKS = (".xlsx", ".xlsm")
+PARQUET = ".parquet"
+SHOWN = 12  # columns that a message lists
 LARGEST = 1e30  # number of a cell: its cube, and sums of these, are numbers still
+_FOREIGN = (  # how files begin that are no text
+    (b"PK\x03\x04", "a workbook or an archive", "Save the sheet as .xlsx, with that ending, or as CSV."),
+    (b"\xd0\xcf\x11\xe0", "a workbook of an old kind (.xls)", "Save the sheet as .xlsx or CSV."),
+    (b"\x1f\x8b", "compressed (gzip)", "Unpack it."),
+    (b"PAR1", "Parquet", "Give it the ending .parquet."),
+)
 _DECIMAL_COMMA = re.compile(r"[-+]?\d+,\d+")
 
 
@@ -66,6 +76,9 @@ class Rows:
             unit = f" in {name.split('_')[-1]}" if "_" in name else ""
             problem = f"the column is missing; '{close}' looks like it." if close else "the column is missing."
             remedy = f"Rename it to '{name}' and give it{unit}." if close else f"Add it{unit}, or correct the header."
+            if not close and others:
+                several = f"{', '.join(others[:SHOWN])}{' ...' if len(others) > SHOWN else ''}"
+                remedy += f" Other columns are {several}."
             raise self.error(problem, remedy, column=name)
 
     def filled(self, name: str, value: float, beside: str) -> Rows:
@@ -133,7 +146,7 @@ def number_of(cell: str) -> float | None:
 
 def read_table(path: Path) -> Rows:
     """Read a table: Parquet or a workbook by its ending, otherwise CSV; raises InputError."""
-    if path.suffix == ".parquet":
+    if path.suffix.lower() == PARQUET:
         return read_parquet(path)
     return read_workbook(path) if path.suffix.lower() in WORKBOOKS else read_csv(path)
 
@@ -145,13 +158,16 @@ def read_csv(path: Path) -> Rows:
 
 def csv_blocks(path: Path, rows: int | None) -> Iterator[Rows]:
     """Read a CSV file so many rows at a time, or all at once; raises InputError."""
+    _check_text(path)
     encoding = encoding_of(path)
     try:
         with path.open(encoding=encoding) as file:
-            lines = _lines(line.rstrip("\n") for line in file)
+            remarks: list[tuple[int, str]] = []
+            lines = _lines((line.rstrip("\n") for line in file), remarks)
             begun = list(itertools.islice(lines, None if rows is None else LOOKED_AT))
             if not begun:
                 raise InputError("the file is empty.", "Give a header and one row per reading.", file=path)
+            begun = with_header(begun, remarks)
             layout = _parsed(path, begun, lambda: layout_of(path, begun))
             head, rest = (
                 begun[layout.header : layout.header + 1 + layout.units],
@@ -172,9 +188,22 @@ def csv_blocks(path: Path, rows: int | None) -> Iterator[Rows]:
         raise InputError("the file is not text.", "Save the file as text in UTF-8.", file=path) from None
 
 
-def _lines(text: Iterable[str]) -> Iterator[tuple[int, str]]:
-    """Yield the lines that hold cells, numbered as in the file."""
-    return ((n, line) for n, line in enumerate(text, start=1) if line.strip() and not line.startswith("#"))
+def _check_text(path: Path) -> None:
+    """Raise an InputError where a file that is read as text is one of another program's own."""
+    begin = read_bytes(path)[:8]
+    for magic, what, remedy in _FOREIGN:
+        if begin.startswith(magic):
+            raise InputError(f"this is no text, but {what}.", remedy, file=path)
+
+
+def _lines(text: Iterable[str], remarks: list[tuple[int, str]]) -> Iterator[tuple[int, str]]:
+    """Yield the lines that hold cells, numbered as in the file; the first of the others go to `remarks`."""
+    for n, line in enumerate(text, start=1):
+        if line.startswith("#"):
+            if n <= LOOKED_AT:
+                remarks.append((n, line))
+        elif line.strip():
+            yield n, line
 
 
 _Parsed = TypeVar("_Parsed")
@@ -209,11 +238,7 @@ def _of_cells(path: Path, table: list[list[str]], numbers: list[int], layout: La
     table = _without_blank_ends(table)
     header, units = table[0], table[1] if layout.units else [""] * len(table[0])
     table, numbers, header_line = table[1 + layout.units :], numbers[1 + layout.units :], numbers[0]
-    named = [converted(name, unit) for name, unit in zip(header, units, strict=True)]
-    scales = {}
-    if len({name for name, *_ in named}) == len(named):  # else the same quantity twice, in two units
-        header = [name for name, *_ in named]
-        scales = {name: (factor, above) for name, factor, above in named if (factor, above) != (1.0, 0.0)}
+    header, scales = _named(header, units)
     _check_header(path, header, header_line)
     for cells, line in zip(table, numbers, strict=True):
         if len(cells) != len(header):
@@ -233,6 +258,31 @@ def _of_cells(path: Path, table: list[list[str]], numbers: list[int], layout: La
             for name, cells in columns.items()
         }
     return Rows(path, in_seconds(columns), np.array(numbers), header_line, scales)
+
+
+def _named(header: Sequence[str], units: Sequence[str]) -> tuple[list[str], dict[str, tuple[float, float]]]:
+    """Return columns by their names in files here, and the scales of those in other units.
+
+    The same quantity twice, in two units, is taken in that of files, and the other column stays what it is.
+    """
+    named = [converted(name, unit) for name, unit in zip(header, units, strict=True)]
+    times = Counter(name for name, *_ in named)
+    named = [own if times[own[0]] == 1 else (name, 1.0, 0.0) for name, own in zip(header, named, strict=True)]
+    scales = {name: (factor, above) for name, factor, above in named if (factor, above) != (1.0, 0.0)}
+    return [name for name, *_ in named], scales
+
+
+def typed_rows(path: Path, header: Sequence[str], cells: Sequence[list[str]], line: np.ndarray) -> Rows:
+    """Return columns of cells, of a table that holds numbers and not their text, in the units of files.
+
+    Raises
+    ------
+    InputError
+        A column has no name, or two have one.
+    """
+    _check_header(path, header, None)
+    names, scales = _named(header, [""] * len(header))
+    return Rows(path, in_seconds(dict(zip(names, cells, strict=True))), line, None, scales)
 
 
 def _without_blank_ends(table: list[list[str]]) -> list[list[str]]:
@@ -303,15 +353,11 @@ def parquet_blocks(path: Path, rows: int | None) -> Iterator[Rows]:
         with pq.ParquetFile(path) as file:
             whole = rows is None or not file.metadata.num_rows
             for batch in [file.read()] if whole else file.iter_batches(rows):
-                names, count = batch.schema.names, batch.num_rows
-                _check_header(path, names, None)
+                count = batch.num_rows
                 if not count:
                     raise InputError("there is no row.", "Add one row per reading.", file=path)
-                columns = {
-                    name: ["" if cell is None else str(cell).strip() for cell in column.to_pylist()]
-                    for name, column in zip(names, batch.columns, strict=True)
-                }
-                yield Rows(path, columns, np.arange(done + 1, done + count + 1), None)
+                cells = [["" if c is None else str(c).strip() for c in column.to_pylist()] for column in batch.columns]
+                yield typed_rows(path, batch.schema.names, cells, np.arange(done + 1, done + count + 1))
                 done += count
     except (OSError, ValueError, pa.ArrowException) as error:
         reason = str(error).splitlines()[0] if str(error) else type(error).__name__

@@ -9,6 +9,7 @@ from typing import Annotated, Any, Literal
 from pydantic import AfterValidator, Field, ValidatorFunctionWrapHandler, WrapValidator
 from pydantic_core import PydanticCustomError
 
+from deltacal_gen.files.columns import sidecar_path
 from deltacal_gen.files.toml import Number, Positive, Table, TomlFile, Vector, toml_text
 from deltacal_gen.instrument import kinds
 from deltacal_gen.instrument.kinds import kind_of
@@ -114,7 +115,7 @@ def read_measurement(sidecar: str | Path) -> Measurement:
 
 def read_sidecar(path: Path) -> Sidecar:
     """Read the sidecar of a recording; one that is not there says nothing."""
-    path = path.with_suffix(".toml")
+    path = sidecar_path(path)
     if not path.exists():
         return Sidecar()
     return TomlFile.read(path).check(Sidecar)

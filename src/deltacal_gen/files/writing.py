@@ -36,7 +36,7 @@ def write_recording(recording: Recording, path: str | Path) -> None:
         A file cannot be written, or the distances file of another recording is in the way.
     """
     path = Path(path)
-    if path.suffix == ".parquet":
+    if path.suffix.lower() == ".parquet":
         raise InputError("recordings are written as CSV.", "Choose a name that ends with .csv.", file=path)
     distances = distances_path(path)
     columns, pair_columns = file_columns(recording)

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Literal
 import numpy as np
 
 from deltacal_gen.errors import InputError
-from deltacal_gen.files.columns import DRIVE
+from deltacal_gen.files.columns import DRIVE, sidecar_path
 from deltacal_gen.files.logged import increasing, logged
 from deltacal_gen.files.rows import Rows, number_of, read_table
 from deltacal_gen.files.sidecar import Clocks, Noise
@@ -237,7 +237,7 @@ class Trajectories:
 
 def read_sidecar(path: Path) -> Sidecar | None:
     """Return what the sidecar of a recording says, if that is in motion; None where there is none or it is not."""
-    sidecar = path.with_suffix(".toml")
+    sidecar = sidecar_path(path)
     if not sidecar.exists():
         return None
     file = TomlFile.read(sidecar)

@@ -60,10 +60,19 @@ class Wanted:
 
     @staticmethod
     def of_array(targets: Array, compensator: Compensator, columns: Mapping[str, Array | float]) -> Wanted:
-        """Return positions (N, 3) [mm], of machines that turn with rotation vectors in deg beside (N, 6)."""
-        positions = np.asarray(targets, dtype=float)
+        """Return positions (N, 3) [mm], of machines that turn with rotation vectors in deg beside (N, 6).
+
+        Raises
+        ------
+        UsageError
+            They are no finite numbers, or have another shape.
+        """
+        positions = _finite(targets)
         if compensator.mechanism.turning and positions.ndim == 2 and positions.shape[1] == 6:
             positions = np.hstack([positions[:, :3], from_vector(positions[:, 3:] * DEG).reshape(-1, 9)])
+        if positions.size and (positions.ndim != 2 or positions.shape[1] not in {3, *compensator.mechanism.widths}):
+            turned = " or, with rx_deg, ry_deg, rz_deg, (N, 6)" if compensator.mechanism.turning else ""
+            raise UsageError(f"targets have the shape {np.shape(targets)}; (N, 3) mm{turned} is expected.")
         return Wanted(positions, None, None, columns, None)
 
     @staticmethod
@@ -93,6 +102,22 @@ class Wanted:
             if np.isfinite(recording.measured).any():
                 tell("readings of the file are not read: wanted is where the chain as drawn stands at its joints")
         return Wanted(positions, tool, near, {**columns, **recording.channels}, recording.pose.tolist())
+
+
+def _finite(targets: object) -> Array:
+    """Return targets as numbers; raise a UsageError where some are none, as a masked one is."""
+    try:
+        given: Any = np.ma.asarray(targets)
+        masked = given.astype(float) if given.dtype.kind != "c" else None
+    except (TypeError, ValueError):
+        masked = None
+    if masked is None:
+        raise UsageError(f"a {type(targets).__name__} of no real numbers holds no targets: give an array (N, 3) [mm].")
+    out: Array = masked.filled(np.nan)
+    if not np.isfinite(out).all():
+        row = int(np.argwhere(~np.isfinite(out))[0, 0]) if out.ndim else 0
+        raise UsageError(f"target {row + 1} is not a finite number in every coordinate. Leave it out.")
+    return out
 
 
 @dataclass(frozen=True, eq=False)

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from deltacal_gen.app.commands.common import Progress, Source, as_recording
-from deltacal_gen.files.columns import Columns, instrument_path
+from deltacal_gen.files.columns import Columns, instrument_path, sidecar_path
 from deltacal_gen.files.writing import csv_text, file_columns, sidecar_text, write_files
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Recording, Robot
@@ -26,7 +26,7 @@ Answered = TypeVar("Answered", "Result", "Diagnosis")
 
 def clocks_of(recording: object, robot: Robot, **how: bool) -> TwoClocks | None:
     """Return a recording with two clocks; None of any other."""
-    if not isinstance(recording, str | Path) or not Path(recording).with_suffix(".toml").exists():
+    if not isinstance(recording, str | Path) or not sidecar_path(Path(recording)).exists():
         return None
     return two_clocks(Path(recording), mechanism_of(robot), **how)
 

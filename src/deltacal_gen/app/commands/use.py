@@ -6,7 +6,7 @@ import dataclasses
 import hashlib
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal, cast
+from typing import TYPE_CHECKING, Any, Literal, cast
 
 import numpy as np
 
@@ -25,6 +25,7 @@ from deltacal_gen.app.commands.common import (
 )
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.about import About, read_about
+from deltacal_gen.files.frames import is_frame
 from deltacal_gen.files.writing import csv_text, file_columns, write_files
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.motion.kinds import columns_of
@@ -44,6 +45,7 @@ from deltacal_gen.results.reader import Given
 from deltacal_gen.results.result import Result
 from deltacal_gen.use.known import known_model, known_result
 
+NO_READINGS = (".toml", ".json")  # what files end with that a fit reads beside tables: robots, sidecars, answers
 NUMBER = 16  # letters of a hash that stand for the number of a certificate where none is given
 
 if TYPE_CHECKING:
@@ -57,7 +59,7 @@ if TYPE_CHECKING:
 
 def compensate(
     result: Given,
-    targets: Source | Array | None = None,
+    targets: AnyRecording | Array | None = None,
     output: Source | None = None,
     *,
     kind: str = "exact",
@@ -73,8 +75,9 @@ def compensate(
     ----------
     result : path or mapping
         RESULT.json, or DIAGNOSIS.json: then the commands include the effects that were found.
-    targets : path or (N, 3) array
+    targets : path, data frame or (N, 3) array
         A CSV with ``x_mm, y_mm, z_mm`` in {O} (tool columns and channels too), or positions. Not needed with `export`.
+        Of a data frame the names of columns count, not their order.
         Of an open chain ``rx_deg, ry_deg, rz_deg`` beside, or an array (N, 6); or a CSV with joints instead, the
         program as it is: wanted is where the chain as drawn stands at them, and it goes on standing so.
     output : path
@@ -92,6 +95,15 @@ def compensate(
         instrument sees it: ``x_lo_mm, x_hi_mm`` ...
     tell : callable
         Told in words what was assumed where a channel is not given.
+
+    Raises
+    ------
+    UsageError
+        An array of targets that are no finite numbers, or of another shape; a channel that nothing could be.
+    InputError
+        A file, or a data frame, that cannot be read as targets.
+    NoSolutionError
+        Targets out of reach.
     """
     from deltacal_gen.use import commanded, compensation, prediction
 
@@ -103,11 +115,12 @@ def compensate(
     compensator = compensation.Compensator(robot, kind, prediction.known_effects(known), known.begun_s)
     if targets is None:
         raise UsageError("give the targets: a CSV with x_mm, y_mm, z_mm.")
-    if isinstance(targets, str | Path):
-        recording = as_recording(targets, robot, need_measured=False, allow_targets=True)
+    given: Any = targets
+    if isinstance(targets, str | Path | Recording) or is_frame(targets):
+        recording = as_recording(given, robot, need_measured=False, allow_targets=True)
         wanted = commanded.Wanted.of_file(recording, compensator, channels or {}, tell)
     else:
-        wanted = commanded.Wanted.of_array(targets, compensator, channels or {})
+        wanted = commanded.Wanted.of_array(given, compensator, channels or {})
     if not len(wanted.positions):
         return np.zeros((0, compensator.mechanism.limbs))
     commanded.check_channels(channels or {}, compensator, known)
@@ -480,7 +493,7 @@ def _seen_before(own: Made, fitted: Made | None) -> Literal[True] | None:
 
 def _seen(own: Sequence[InputFile], fitted: Sequence[InputFile]) -> str | None:
     """Return the name of a file of readings that a fit was made of; None where it saw none of them."""
-    hashes = {file.sha256 for file in fitted if file.name.endswith((".csv", ".xlsx", ".parquet"))}
+    hashes = {file.sha256 for file in fitted if not file.name.lower().endswith(NO_READINGS)}
     return next((file.name for file in own if file.sha256 in hashes), None)
 
 
