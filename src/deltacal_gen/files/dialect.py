@@ -24,6 +24,8 @@ from deltacal_gen.states import TIME
 LOOKED_AT = 200  # lines in which the header is searched for
 SEPARATORS = (",", ";", "\t", "|")
 _MOMENT = re.compile(r"(date_?)?time(_?stamp)?|date|stamp")  # names of columns that hold moments
+_DOTTED = re.compile(r"(?P<day>\d{1,2})\.(?P<month>\d{1,2})\.(?P<year>\d{4})[ T](?P<rest>.*)")  # the day is first
+_SLASHED = re.compile(r"\d{4}/\d\d/\d\d[ T]")  # the year is first; 1/2/2026 is the one here and the other there
 LABELS = {"pose", "setup", "contact", "pose_a", "pose_b", "run"}
 _DEG, _MM = {"deg": 1.0, "rad": 57.29577951308232}, {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4, "um": 1e-3}
 _UNITS: tuple[tuple[re.Pattern[str], str, dict[str, float]], ...] = (  # of columns, unit in files, factors to it
@@ -286,7 +288,8 @@ def plain_number(cell: str, layout: Layout) -> str:
 def in_seconds(columns: dict[str, list[str]]) -> dict[str, list[str]]:
     """Return columns (of cells) with moments, written as dates and times of the day (ISO 8601), as seconds ``time_s``.
 
-    Those of dates count from 1970, UTC where no zone is said, others from midnight.
+    Where dots part a date its day is first; where its year is first slashes may part it. Those of dates count from
+    1970, UTC where no zone is said, others from midnight.
     """
     if TIME in columns:
         return columns
@@ -305,6 +308,10 @@ def _seconds(cell: str) -> str | None:
         return ""
     if ":" not in cell:
         return None
+    if (dotted := _DOTTED.fullmatch(cell)) is not None:
+        cell = f"{dotted['year']}-{dotted['month']:0>2}-{dotted['day']:0>2} {dotted['rest']}"
+    elif _SLASHED.match(cell):
+        cell = cell.replace("/", "-")
     with contextlib.suppress(ValueError):
         moment = datetime.fromisoformat(cell)
         return repr((moment if moment.tzinfo else moment.replace(tzinfo=UTC)).timestamp())
