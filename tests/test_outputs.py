@@ -73,6 +73,15 @@ def test_the_standard_output_is_written_through(name: str) -> None:
     assert "parameters identified" in done.stderr
 
 
+@pytest.mark.parametrize("command", ["identify", "diagnose"])
+def test_two_outputs_are_two_files(run: Run, tmp_path: Path, command: str) -> None:
+    both = tmp_path / "both.html"
+    code, _, told = run(command, ROBOT, RECORDING, "-o", both, "--report", tmp_path / "." / "both.html")
+    assert code == 3
+    assert "would overwrite an input or another output" in told
+    assert not both.exists()
+
+
 def test_two_outputs_do_not_go_to_the_standard_output(run: Run) -> None:
     for command in (("identify", ROBOT, RECORDING), ("plan", ROBOT, "--model", "18")):
         code, out, told = run(*command, "--json", "-o", "-")

@@ -64,7 +64,7 @@ def identify(
     """Identify the machine's errors from a recording."""
     from deltacal_gen.app import commands
 
-    commands.check_output(picture, robot, recording, ending=commands.PICTURES)
+    commands.check_output(picture, robot, recording, output, report, ending=commands.PICTURES)
     if blocks:
         if as_kind or physics or picture or report or solver != "prior":
             raise UsageError("in blocks positions are fitted by least squares; leave the other options out.")

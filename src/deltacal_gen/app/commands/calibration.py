@@ -54,16 +54,46 @@ def identify(
     report: Source | None = None,
     progress: Progress = silent,
 ) -> Result:
-    """Identify a robot's source errors; see `identification.identify` for the options. `output` is RESULT.json.
+    """Identify a robot's source errors from a recording.
 
-    `report` is one self-contained HTML page of the same.
+    Parameters
+    ----------
+    robot : path or Robot
+        Its file, or ``result.robot`` of an answer.
+    recording : path, data frame or Recording
+        Joints and readings [mm, deg]; of a file its sidecar is read too.
+    model : str or int, optional
+        ``"delta/32"``, ``"32"`` or 32; the mechanism's largest where it is not given.
+    output : path, optional
+        RESULT.json.
+    as_distance : bool
+        Fit the distances of all pairs of positions instead: the instrument's frame drops out.
+    solver, truncation, robust
+        See `identification.identify`: ``"prior"``, ``"tsvd"``, ``"ridge"``, ``"least-squares"`` or an object.
+    physics : path or mapping, optional
+        A DIAGNOSIS.json whose effects are held while geometry and frame are refitted: how a diagnosis carries to
+        another session; `continued` says what these readings tell further of periodic errors. Source errors that the
+        model leaves out are held too. `never_seen` says which joints stand where the diagnosis never was.
+    report : path, optional
+        One self-contained HTML page of the same.
+    progress : callable
+        Told in words what is done at the moment.
 
-    `physics` is a DIAGNOSIS.json whose effects are held while geometry and frame are refitted: how a diagnosis carries
-    to another session; `continued` says what these readings tell further of periodic errors. Source errors that the
-    model leaves out are held too. `never_seen` says which joints stand where the readings of the diagnosis never were.
+    Returns
+    -------
+    Result
+        Of a recording in motion (kind torque) a `results.motion.MotionResult`: the rigid machine's base parameters,
+        see `motion.identification`.
 
-    Of a recording in motion (kind torque) the answer is a `results.motion.MotionResult`: the rigid machine's base
-    parameters, see `motion.identification`.
+    Raises
+    ------
+    InputError
+        A file, or data frame, that cannot be used, with its line, column and the remedy; an output that cannot be
+        written.
+    UsageError
+        An unknown model, solver or truncation; an option that means nothing for this recording.
+    NoSolutionError
+        Readings that contradict each other, or that no machine like this one gives.
     """
     from deltacal_gen.diagnosis import spectrum
     from deltacal_gen.identification import carried, identification
@@ -73,7 +103,7 @@ def identify(
 
     model = None if model is None else str(model)
     check_output(output, robot, recording, physics)
-    check_output(report, robot, recording, physics)
+    check_output(report, robot, recording, physics, output)
     if (moving := in_motion(recording)) is not None:
         refuse_in_motion(**{"as distance": as_distance, "physics": physics})
         return cast("Result", _finished(moving.identify(as_robot(robot), model), output, report, robot, recording))
@@ -161,22 +191,42 @@ def diagnose(
     write_effect: Source | None = None,
     progress: Progress = silent,
 ) -> Diagnosis:
-    """Find where model and recording differ, and which physics was left out; `output` is DIAGNOSIS.json.
+    """Find where model and recording differ, and which physics was left out.
 
-    `model` is the geometry that is fitted beside everything, the mechanism's largest where it is not given; `report`
-    is one self-contained HTML page of the same. Where a law is found that nobody has registered, `write_effect` is the
-    file of an effect of it (NAME.py), for ``derive/effects``; without a law it is not written.
+    Parameters
+    ----------
+    robot, recording
+        As of `identify`.
+    output : path, optional
+        DIAGNOSIS.json.
+    model : str, optional
+        The geometry that is fitted beside everything, the mechanism's largest where it is not given.
+    report : path, optional
+        One self-contained HTML page of the same.
+    write_effect : path, optional
+        NAME.py, an effect file of a law that nobody has registered, for ``derive/effects``; without a law it is not
+        written.
+    progress : callable
+        Told in words what is done at the moment.
 
-    Of a recording in motion (kind torque) the answer is a `results.motion.MotionDiagnosis`: the friction of every
-    joint, see `motion.diagnosis`.
+    Returns
+    -------
+    Diagnosis
+        Of a recording in motion (kind torque) a `results.motion.MotionDiagnosis`: the friction of every joint, see
+        `motion.diagnosis`.
+
+    Raises
+    ------
+    InputError, UsageError, NoSolutionError
+        As `identify`.
     """
     from deltacal_gen.diagnosis import diagnosis
     from deltacal_gen.diagnosis.laws.effect_file import effect_file, effect_name
     from deltacal_gen.use.prediction import known_effects
 
     check_output(output, robot, recording)
-    check_output(report, robot, recording)
-    check_output(write_effect, robot, recording)
+    check_output(report, robot, recording, output)
+    check_output(write_effect, robot, recording, output, report)
     if write_effect is not None:
         effect_name(Path(write_effect))
     if (moving := in_motion(recording)) is not None:

@@ -90,7 +90,7 @@ def refuse_in_motion(**options: object) -> None:
 
 
 def check_output(path: Source | None, *inputs: object, ending: Sequence[str] = ()) -> None:
-    """Refuse an output that cannot be written, or that is one of the inputs, before anything is computed."""
+    """Refuse an output that cannot be written, or that is one of the other files, before anything is computed."""
     if path is None:
         return
     target = Path(path)
@@ -104,7 +104,7 @@ def check_output(path: Source | None, *inputs: object, ending: Sequence[str] = (
         raise InputError(f"its name ends with none of {', '.join(ending)}.", "Change the ending.", file=target)
     given = [Path(i) for i in inputs if isinstance(i, str | Path)]
     if target.resolve() in [p.resolve() for i in given for p in (i, i.with_suffix(".toml"))]:
-        raise InputError("the output would overwrite an input.", "Choose another name.", file=target)
+        raise InputError("the output would overwrite an input or another output.", "Choose another name.", file=target)
 
 
 def made(*inputs: object, measured: Recording | None = None) -> Made:

@@ -83,7 +83,7 @@ def plan(
 
     model = None if model is None else str(model)
     check_output(output, robot)
-    check_output(picture, robot, ending=PICTURES)
+    check_output(picture, robot, output, ending=PICTURES)
     if sidecar is not None:
         said = read_measurement(sidecar)
         options["kind"] = options.get("kind") or said.kind

@@ -92,7 +92,7 @@ def study(
         bounds = f"noise from {LEAST:g} to {MOST:g}"
         raise UsageError(f"trials and diagnoses must be at least 1, {bounds}, and seed an integer from 0.")
     check_output(output, robot, plan, *suspects)
-    check_output(report, robot, plan, *suspects)
+    check_output(report, robot, plan, output, *suspects)
     how = {"workers": workers, "cluster": cluster, "directory": directory, "told": told}
     if moving is not None:
         found = cast("Study", _of_drives(as_robot(robot), moving, noise, suspects, seed, trials, diagnoses, **how))

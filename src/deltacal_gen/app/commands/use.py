@@ -264,18 +264,36 @@ def predict(
     bands: bool = False,
     tell: Progress = silent,
 ) -> Recording:
-    """Return a recording's readings as an identified or diagnosed model predicts them; `output` is PREDICTED.csv.
+    """Return a recording's readings as an identified or diagnosed model predicts them.
 
-    `place` is a recording of other poses from the same set-ups of the instrument: those that it holds are placed by
-    its readings, whether the result knows a set-up of that name or not. The measured cells of `recording` itself are
-    never read. `tell` is told in words which joints stand at angles that the diagnosis never saw.
+    Parameters
+    ----------
+    result : path, mapping, Result or Diagnosis
+        RESULT.json or DIAGNOSIS.json, or what it was read from.
+    recording : path, data frame or Recording
+        Joints, and the channels that effects depend on; its measured cells are never read.
+    output : path, optional
+        PREDICTED.csv.
+    place : path, data frame or Recording, optional
+        Other poses from the same set-ups of the instrument: those that it holds are placed by its readings, whether
+        the result knows a set-up of that name or not.
+    bands : bool
+        Put beside each value the ends between which it lies with 95 % probability, ``x_lo_mm, x_hi_mm`` ...: channels
+        of the recording that is returned or, of distances, columns of the file alone. The noise of a reading is not in
+        them.
+    tell : callable
+        Told in words which joints stand at angles that the diagnosis never saw.
 
-    With `bands` the ends between which each value lies with 95 % probability stand beside it, ``x_lo_mm, x_hi_mm`` ...:
-    channels of the recording that is returned or, of distances, columns of the file alone. The noise of a reading is
-    not in them.
+    Returns
+    -------
+    Recording
+        Of a result in motion a `motion.trajectories.Trajectories`, with half the width of its bands in `half`. They
+        hold readings, noise included: sample by sample nobody tells that from what the model leaves out.
 
-    Of a result in motion the answer is a `motion.trajectories.Trajectories`, with half the width of its bands in
-    `half`. They hold readings, noise included: sample by sample nobody tells that from what the model leaves out.
+    Raises
+    ------
+    InputError
+        A file, or data frame, that cannot be used; a set-up that the result does not know, without `place`.
     """
     from deltacal_gen.diagnosis import spectrum
     from deltacal_gen.instrument.kinds import kind_of
@@ -350,8 +368,24 @@ def _moving(recording: object) -> Torque:
 def validate(result: Given, recording: AnyRecording, report: Source | None = None) -> Validation:
     """Return the error of a calibrated model on readings it has not seen, against the noise.
 
-    `report` is one self-contained HTML page of the same. Of a recording in motion the answer is a
-    `results.motion.MotionValidation`.
+    Parameters
+    ----------
+    result : path, mapping, Result or Diagnosis
+        RESULT.json or DIAGNOSIS.json, or what it was read from.
+    recording : path, data frame or Recording
+        Joints and readings. A set-up of the instrument that the result does not know is placed by them.
+    report : path, optional
+        One self-contained HTML page of the same; its name ends with ``.html``.
+
+    Returns
+    -------
+    Validation
+        Of a recording in motion a `results.motion.MotionValidation`.
+
+    Raises
+    ------
+    InputError
+        A file, or data frame, that cannot be used, or whose readings are of another kind than those of the result.
     """
     from deltacal_gen.use import validation
 
