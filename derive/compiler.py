@@ -368,10 +368,14 @@ def render(names: Sequence[str] = ()) -> dict[Path, str]:
     Raises
     ------
     ValueError
-        Nothing is registered by a name.
+        Nothing is registered by a name, or it is the name of a file that is common to all.
     """
-    specs = collect(names)
-    texts = {path: text for spec in specs for path, text in write_one(lower_one(derive_one(spec))).items()}
+    texts: dict[Path, str] = {}
+    for spec in collect(names):
+        own = write_one(lower_one(derive_one(spec)))
+        if taken := sorted(path.as_posix() for path in own if path in texts or path.as_posix() in COMMON):
+            raise ValueError(f"{spec.source}: {taken[0]} is written for something else; choose another name.")
+        texts |= own
     old = committed() if names else {}
     known = {path.parts for path in (*old, *texts)}
     effects = [e for e in registry.effects() if ("effects", f"{e.name}.py") in known]

@@ -182,7 +182,8 @@ def test_effects_that_are_any_periodic_function_of_the_turn_are_told_by_what_the
     assert "transmission_eccentricity" in periodic
     other = dataclasses.replace(declared("transmission_eccentricity"), name="other", source="")
     assert other.periodic
-    twice = dataclasses.replace(other, targets={"joint": 2 * other.targets["joint"]}, tests=other.tests)
+    moved = [dataclasses.replace(test, moved={"joint": 2 * test.moved["joint"]}) for test in other.tests]
+    twice = dataclasses.replace(other, targets={"joint": 2 * other.targets["joint"]}, tests=tuple(moved))
     assert not twice.periodic
 
 
@@ -202,7 +203,7 @@ def made(**other: Any) -> Effect:
 SOFT = joint_coefficient("soft", "Nm", "twist", (0.0, 1.0))
 ORDER, NUMBER = constant("order", "1", 1.0, "a number"), constant("number", "1", 1.0, "another")
 TORQUE, OTHER, AFTER, READ, SPEED = state("torque torque_1 after y_x qd")
-BUILT = sp.Symbol("z", real=True)
+BUILT, IDLE = sp.symbols("z idle", real=True)
 FOLLOWS = Memory(BUILT, "what builds up", SOFT.symbol * SPEED - BUILT, sp.Integer(0))
 OF_DRIVE: dict[str, Any] = {"targets": {"torque": SOFT.symbol * SPEED}}
 REFUSED: dict[str, dict[str, Any]] = {
@@ -229,6 +230,20 @@ REFUSED: dict[str, dict[str, Any]] = {
     "beyond what is believable": {"tests": (Reference({"torque": 1.0}, {"soft": -0.1}, {"joint": -0.1}),)},
     "it does not become joint_compliance where its size is large": {"extends": SPRING},
     "it does not become latency where all limbs are alike": {"extends": LATENCY},
+    "say in `title`": {"title": ""},
+    "soft has no meaning": {"coefficients": (dataclasses.replace(SOFT, meaning=""),)},
+    "idle stands in no formula": {"coefficients": (SOFT, dataclasses.replace(SOFT, symbol=IDLE))},
+    "order stands in no formula": {"searched": (Orders(ORDER),)},
+    "cannot be called 'limb'": {"coefficients": (dataclasses.replace(SOFT, label="limb"),)},
+    "cannot be called 'my soft'": {"coefficients": (dataclasses.replace(SOFT, label="my soft"),)},
+    "cannot be called 'out'": {"coefficients": (dataclasses.replace(SOFT, symbol=sp.Symbol("out", real=True)),)},
+    "joint moves by 0.1, and the formula gives 0.0017": {
+        "tests": (Reference({"torque": 1000.0}, {"soft": 0.1}, {"joint": 0.1}),)
+    },
+    "the formula gives nan": {
+        "targets": {"joint": SOFT.symbol / TORQUE},
+        "tests": (Reference({"torque": 0.0}, {"soft": 0.1}, {"joint": 0.1}),),
+    },
     "the believable range of soft": {"coefficients": (dataclasses.replace(SOFT, believable=(0.1, 1.0)),)},
 }
 

@@ -5,6 +5,7 @@ Nothing here computes; the constructors only refuse what cannot be meant.
 
 from __future__ import annotations
 
+import keyword
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -13,11 +14,13 @@ import sympy as sp
 
 from derive.language import vocabulary
 from derive.language.memory import Memory, with_lags
-from derive.language.states import STATES, State, read_by
+from derive.language.states import STATES, TAKEN, State, read_by
 from derive.language.targets import acts_on
 
 LONG_AGO = -1e12  # s, or rows: before any recording, and a number that a file can hold
 OF_LIMBS = ("limb", "drive")  # what every limb has of its own
+OF_TRUTHS = ("name", "limb", "limbs", "tool", "tools")  # keys of an effect's table in a truth that are no parameters
+HELD = 1e-9  # part of a displacement by which one that was computed by hand may differ: it is written in decimals
 
 
 @dataclass(frozen=True)
@@ -275,6 +278,7 @@ class Effect:
         for target, e in self.targets.items():
             vocabulary.check(target, e)
         self._check_memory()
+        self._check_words()
         states, named = self.states, [q.symbol for q in (*self.coefficients, *self.constants)]
         if twice := {str(s) for s in named if named.count(s) > 1}:
             raise ValueError(f"{', '.join(sorted(twice))} is declared twice.")
@@ -288,12 +292,34 @@ class Effect:
         if wrong := [of for of in self.sized.values() if of not in (s.name for s in self.states)]:
             raise ValueError(f"a constant is searched as a size of {wrong[0]}, which is not read.")
         self._check_searched()
+        self._check_used(states)
         if self.per_limb and self.acts_on not in OF_LIMBS:
             raise ValueError(f"it acts on the {self.acts_on}, of which there is one: no limb has its own coefficients.")
         self._check_extended()
         for s in states:
             self._check_state(s)
         self._check_tests([*(s.name for s in states), *(m.name for m in self.memory)])
+        for test in self.tests:
+            self._check_held(test, states)
+
+    def _check_words(self) -> None:
+        """Refuse names that files and generated functions cannot hold, and what is not said in words."""
+        if not self.title:
+            raise ValueError("say in `title`, in plain words, what it is.")
+        for q in (*self.coefficients, *self.constants):
+            if not q.meaning:
+                raise ValueError(f"{q.name} has no meaning; add one line.")
+            for name in (q.name, str(q.symbol)):
+                if not name.isidentifier() or keyword.iskeyword(name) or TAKEN.fullmatch(name) or name in OF_TRUTHS:
+                    raise ValueError(f"a parameter cannot be called '{name}': choose another word of letters and _.")
+
+    def _check_used(self, states: Sequence[State]) -> None:
+        """Refuse a parameter of which nothing depends: no reading would tell its size."""
+        formulas = (*self.targets.values(), *(e for m in self.memory for e in (m.rate, m.start)))
+        used, deciding = set().union(*(e.free_symbols for e in formulas)), {s.by for s in states}
+        every = (*self.coefficients, *self.constants)
+        if idle := [q.name for q in every if q.symbol not in used and q.name not in deciding]:
+            raise ValueError(f"{', '.join(idle)} stands in no formula: no reading would tell its size.")
 
     def _check_searched(self) -> None:
         """Refuse what nothing searches or fits; a regression on the torque takes one constant, and is linear."""
@@ -356,3 +382,20 @@ class Effect:
                 low, high = c.believable
                 if not low <= test.coefficients[c.name] <= high:
                     raise ValueError(f"a test has {c.name} = {test.coefficients[c.name]}, beyond what is believable.")
+
+    def _check_held(self, test: Reference, states: Sequence[State]) -> None:
+        """Refuse a displacement that is not what the formula gives: a factor, a sign or a unit is wrong in either."""
+        known: dict[sp.Symbol, float] = {s.symbol: test.state[s.name] * s.factor for s in states}
+        known |= {m.symbol: test.state[m.name] for m in self.memory}
+        known |= {c.symbol: test.coefficients[c.name] * c.factor for c in self.coefficients}
+        given = {c: test.constants[c.name] for c in self.constants}
+        known |= {c.symbol: v * c.factor for c, v in given.items() if not isinstance(v, str)}
+        for target, e in self.targets.items():
+            value, wanted = sp.N(e.subs(known)), test.moved[target]
+            found = float(value) if value.is_finite else math.nan
+            if not math.isclose(found, wanted, rel_tol=HELD, abs_tol=HELD * HELD):
+                unit = "N mm or N" if target == "torque" else "mm or rad"
+                raise ValueError(
+                    f"a test says that {target} moves by {wanted:.9g}, and the formula gives {found:.9g} [{unit}]: "
+                    "look at the formula's sign, at the factors of the coefficients and at units."
+                )

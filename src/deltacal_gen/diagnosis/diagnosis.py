@@ -36,7 +36,7 @@ from deltacal_gen.diagnosis.findings import (
 from deltacal_gen.diagnosis.hints import Hinted, hinted, outweighed, told
 from deltacal_gen.diagnosis.laws.laws import Lawful, Sought, laws
 from deltacal_gen.diagnosis.laws.remainder import with_remainder
-from deltacal_gen.diagnosis.library import library
+from deltacal_gen.diagnosis.library import defined, library
 from deltacal_gen.diagnosis.refits import believable, form, refitted, terms_of
 from deltacal_gen.diagnosis.search import Search
 from deltacal_gen.diagnosis.spectrum import LEAST_TURN, Spectrum, periodic
@@ -273,6 +273,8 @@ def drawn_beside(robot: Robot, recording: Recording, model: str | None) -> Drawn
 
 def _searched(of: Drawn, progress: Progress) -> _Begun:
     terms, not_tested = library(of.some) if not of.lean else ([], _untested(of.problem))
+    terms, without_value = defined(of.first, terms)
+    not_tested += without_value
     return _Begun(*of, terms, not_tested, searched(of.some, of.first, terms, of.lean, progress))
 
 

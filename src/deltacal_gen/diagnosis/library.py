@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
 from deltacal_gen.diagnosis.candidates import columns_read
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.identification.orders import ORDERS
 from deltacal_gen.machine.registry import Array
@@ -20,6 +22,7 @@ from deltacal_gen.physics.terms import (
     effect_names,
     load_effect,
 )
+from deltacal_gen.physics.undefined import lacking, undefined
 from deltacal_gen.results.parts import Missing
 from deltacal_gen.states import CHANNELS, RECORDED, TIME, State, named, read_by
 
@@ -61,6 +64,23 @@ def library(problem: Problem) -> tuple[list[Term], tuple[Missing, ...]]:
             missing.append(Missing(name=name, missing=NOTHING[next(iter(load_effect(name).SEARCHED))]))
         terms += [problem.body.blank(name, limbs, constants, tools) for constants in forms]
     return terms, tuple(missing)
+
+
+def defined(at: Fit, terms: Sequence[Term]) -> tuple[list[Term], tuple[Missing, ...]]:
+    """Return the terms that say at every reading by how much they move something, and what the others lack."""
+    problem, machine = at.problem, at.machine
+    rows, kept = np.unique(problem.readings.rows), []
+    missing: list[Missing] = []
+    for name, own in itertools.groupby(terms, key=lambda term: term.effect):
+        forms = list(own)
+        if forms[0].kernels.ACTS_ON != "reading":
+            lost = undefined(problem.body, forms[0], machine.upright, machine.q, machine.rows)[rows]
+            if lost.any():
+                lines = problem.recording.line[rows[lost]].tolist()
+                missing.append(Missing(name=name, missing=lacking(forms[0], lines)))
+                continue
+        kept += forms
+    return kept, tuple(missing)
 
 
 def _spoilt(problem: Problem, name: str) -> str | None:

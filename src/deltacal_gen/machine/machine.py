@@ -29,12 +29,14 @@ if TYPE_CHECKING:
 
 COORDINATES = ("px", "py", "pz", "cx", "cy", "cz")  # of a body in space, as the kernels solve for them
 POSE = 12  # numbers of a pose: position of the reference point, rotation matrix row by row
-SOLVED, UNREACHABLE, SINGULAR, UNBALANCED = 0, 1, 2, 3
+SOLVED, UNREACHABLE, SINGULAR, UNBALANCED, UNDEFINED = 0, 1, 2, 3, 4
 STATUS = {
     SOLVED: "solved",
     UNREACHABLE: "out of reach: no pose of the platform closes all loops",
     SINGULAR: "singular: the platform is not held in every direction",
     UNBALANCED: "without static equilibrium: an effect that jumps throws the machine back and forth",
+    UNDEFINED: "moved by no number: an effect's formula divides by zero there, or what it remembers cannot be followed "
+    "between rows so far apart in time",
 }
 
 

@@ -17,7 +17,7 @@ from deltacal_gen import states
 from deltacal_gen.errors import InputError
 from deltacal_gen.machine.answers import Sensitivity
 from deltacal_gen.machine.machine import POSE
-from deltacal_gen.machine.registry import SOLVED, STATUS, UNBALANCED, Array, Machine
+from deltacal_gen.machine.registry import SOLVED, STATUS, UNBALANCED, UNDEFINED, Array, Machine
 from deltacal_gen.machine.rotation import cayley_matrix
 from deltacal_gen.machine.values import Masses, Recording, Robot
 from deltacal_gen.physics.channels import Channels
@@ -329,7 +329,8 @@ class Body:
         out: dict[str, Array] = {}
         for term in terms:
             kernels = term.kernels
-            values = kernels.value(self._inputs(term, state), self.coefficients(term), term.constants)
+            with np.errstate(divide="ignore", invalid="ignore"):  # such rows have no pose, which is told
+                values = kernels.value(self._inputs(term, state), self.coefficients(term), term.constants)
             for j, target in enumerate(kernels.TARGETS):
                 value = values[:, j].reshape(N, limbs) if by_limb(term) else values[:, j]
                 out[target] = out[target] + value if target in out else value
@@ -382,13 +383,14 @@ class Body:
         restless = None
         for _ in range(EQUILIBRIUM_STEPS):
             safe = np.where(ok[:, None], x, 0.0)
-            earlier, shift = shift, _together(unchanged, self.moved(varying, self.state(names, safe, q, rows, limbs)))
+            asked = _together(unchanged, self.moved(varying, self.state(names, safe, q, rows, limbs)))
+            earlier, (shift, lost) = shift, _defined(asked, len(x))
             q = self.q + shift.get("joint", 0.0)
             rows = self._rows(errors, shift)
             tool = self.tool + np.column_stack([np.broadcast_to(shift.get(f"tool.{a}", 0.0), len(x)) for a in AXES])
             last = x
             x, status = mechanism.forward(q, tool, rows, near=safe)
-            ok = status == SOLVED
+            ok = (status == SOLVED) & ~lost
             step = float(np.max(np.abs((x - last)[ok]), initial=0.0))
             # what follows the pose changes by a small part of what it moves: steps shrink by a steady factor
             if not varying or step * (min(step / before, 1.0) if before else 1.0) < EQUILIBRIUM_DONE:
@@ -398,6 +400,7 @@ class Body:
             left = ok & (np.abs(x - last).max(axis=1) > EQUILIBRIUM_LEFT)
             restless = np.where(left, _restless(earlier, shift, len(x)), 0)
             x, status = np.where(left[:, None], np.nan, x), np.where(left, UNBALANCED, status)
+        x, status = np.where(lost[:, None], np.nan, x), np.where(lost, UNDEFINED, status)
         turn = np.column_stack([np.broadcast_to(shift.get(f"turn.{a}", 0.0), len(x)) for a in AXES])
         if not turn.any():
             return Deformed(x, q, tool, rows, restless), status
@@ -522,7 +525,9 @@ class Body:
                 f"at these joints the machine is {STATUS[int(status[bad[0]])]}"
                 + (f", joint {joint} first" if joint else "")
                 + (f" (and at {len(bad) - 1} more rows)." if len(bad) > 1 else "."),
-                "Make the effect's jump smaller, or a slope of it."
+                "Remove the row, or the effect."
+                if status[bad[0]] == UNDEFINED
+                else "Make the effect's jump smaller, or a slope of it."
                 if joint
                 else "Check the joint columns, their signs, zeros and units, and the robot's lengths.",
                 file=recording.path,
@@ -538,6 +543,14 @@ def by_limb(term: Term) -> bool:
 def follows(term: Term) -> bool:
     """Tell whether an effect reads what changes with the pose."""
     return any(s.follows for s in term.states)
+
+
+def _defined(shift: Mapping[str, Array], rows: int) -> tuple[dict[str, Array], np.ndarray]:
+    """Return displacements with 0 for what is no number, and the rows (N,) that have such."""
+    lost = np.zeros(rows, dtype=bool)
+    for value in shift.values():
+        lost |= ~np.isfinite(value).reshape(len(value), -1).all(axis=1)
+    return {t: np.where(np.isfinite(v), v, 0.0) for t, v in shift.items()} if lost.any() else dict(shift), lost
 
 
 def _restless(earlier: Mapping[str, Array], shift: Mapping[str, Array], rows: int) -> np.ndarray:

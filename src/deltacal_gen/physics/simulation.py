@@ -19,7 +19,7 @@ from deltacal_gen.files.robot import Robot
 from deltacal_gen.files.toml import Number, Table, TomlFile, nearest
 from deltacal_gen.instrument.kind import TURN_MM
 from deltacal_gen.instrument.kinds import kind_of, measured_points
-from deltacal_gen.machine.registry import SOLVED, STATUS, Array, Machine, mechanism_of, nominal_joints
+from deltacal_gen.machine.registry import SOLVED, STATUS, UNDEFINED, Array, Machine, mechanism_of, nominal_joints
 from deltacal_gen.machine.rotation import from_vector, to_vector
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.body import Body
@@ -243,8 +243,9 @@ def simulate(
 def _all_solved(poses: Recording, status: np.ndarray, what: str) -> None:
     bad = np.flatnonzero(status != SOLVED)
     if len(bad):
+        lost = status[bad[0]] == UNDEFINED
         raise NoSolutionError(
             f"{poses.path}, line {int(poses.line[bad[0]])}: {what}: {STATUS[int(status[bad[0]])]}"
             + (f" ({len(bad)} rows in all)." if len(bad) > 1 else ".")
-            + " Move the row into the workspace or remove it."
+            + (" Remove the row, or the effect." if lost else " Move the row into the workspace or remove it.")
         )
