@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import warnings
 from collections.abc import Callable
 from pathlib import Path
 from types import ModuleType, SimpleNamespace
@@ -18,11 +19,12 @@ pytest.importorskip("jinja2", reason="deriving needs the dependency group 'deriv
 from deltacal_gen.app.demonstration import example  # noqa: E402
 from deltacal_gen.errors import InputError  # noqa: E402
 from deltacal_gen.files.robot import read_robot  # noqa: E402
-from deltacal_gen.machine.registry import SOLVED, UNBALANCED, load_mechanism  # noqa: E402
+from deltacal_gen.machine.registry import SOLVED, UNBALANCED, UNDEFINED, load_mechanism  # noqa: E402
 from deltacal_gen.physics import memory, terms  # noqa: E402
 from deltacal_gen.physics.body import Body  # noqa: E402
 from deltacal_gen.physics.channels import Channels  # noqa: E402
 from deltacal_gen.physics.terms import Term, blank, load_effect  # noqa: E402
+from deltacal_gen.physics.undefined import lacking, undefined  # noqa: E402
 from derive import compiler  # noqa: E402
 from derive.effects import coefficient, state  # noqa: E402
 from derive.language.effects import Effect, Orders, Reference  # noqa: E402
@@ -175,7 +177,7 @@ def test_a_constant_may_be_searched_and_a_memory_led_into_the_target() -> None:
 
 def test_where_halving_does_not_settle_it_is_said_and_bounded() -> None:
     """A rate so fast, and so bent, that no interval between two rows is short enough."""
-    jumping = Memory(z, "ratchet", 1e9 * sp.cos(1e3 * z + load), sp.Integer(0))
+    jumping = Memory(z, "ratchet", 1e9 * RATE.symbol * sp.cos(1e3 * z + load), sp.Integer(0))
     module = derived(effect(z, jumping, varied=(RATE,)))
     time, states = np.array([0.0, 1.0, 2.0, 3.0]), np.array([1.0, 2.0, -1.0, -2.0])[:, None, None]
     found = memory.along(module, states, np.ones((4, 1, 2)), (), time, np.zeros(4, dtype=int))
@@ -289,3 +291,42 @@ def test_a_jump_that_leaves_no_equilibrium_is_stated_with_row_and_joint(on_delta
     with pytest.raises(InputError, match=r"without static equilibrium.*joint 2 first") as refused:
         body.check(machine, status, np.arange(10), recording)  # type: ignore[arg-type]
     assert refused.value.line == 6
+
+
+def test_rows_at_which_a_formula_divides_by_zero_are_told_and_the_others_solved(on_delta: Any) -> None:
+    spec = dataclasses.replace(
+        effect(speed, reads="qd"),
+        targets={"joint": SIZE.symbol / speed},
+        tests=(Reference({"qd": 1.0}, {"size": 0.0}, {"joint": 0.0}),),
+    )
+    body, term = on_delta(spec)
+    still = np.where(np.arange(len(body.q))[:, None] == 4, 0.0, 1.0) * np.maximum(np.abs(body.channels.values["qd"]), 1)
+    body.channels = Channels({**body.channels.values, "qd": still}, body.channels.order)
+    term = dataclasses.replace(term, values=np.full_like(term.values, 1e-3))
+    errors = np.zeros(len(body.mechanism.parameters))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        machine, status = body.solve(errors, (term,))
+        bare, _ = body.solve(errors, ())
+        lost = undefined(body, term, bare.x, bare.q, bare.rows)
+    assert status.tolist() == [UNDEFINED if row == 4 else SOLVED for row in range(10)]
+    assert np.isnan(machine.x[4]).all()
+    assert np.isfinite(machine.x[np.arange(10) != 4]).all()
+    assert np.flatnonzero(lost).tolist() == [4]
+    assert lacking(term, [6]) == "a value at line 6: its formula divides by zero there, or grows beyond all bounds"
+
+
+def test_rows_too_far_apart_for_a_memory_are_told(on_delta: Any) -> None:
+    bristles = Memory(z, "bristles", 50.0 * speed * (1 - z * sp.sign(speed)), sp.Integer(0))
+    body, term = on_delta(effect(z, bristles, reads="qd"))
+    turning = np.where(np.arange(len(body.q))[:, None] % 2, 1.0, -1.0) * np.ones_like(body.q)
+    channels = {**body.channels.values, "qd": turning, "time": 1e4 * np.arange(len(body.q), dtype=float)}
+    body.channels = Channels(channels, body.channels.order)
+    errors = np.zeros(len(body.mechanism.parameters))
+    bare, _ = body.solve(errors, ())
+    lost = undefined(body, term, bare.x, bare.q, bare.rows)
+    assert lost.any()
+    assert not lost[0]
+    _, status = body.solve(errors, (dataclasses.replace(term, values=np.full_like(term.values, 1e-3)),))
+    assert (status == np.where(lost, UNDEFINED, SOLVED)).all()
+    assert "rows closer in time: what it remembers cannot be followed to line 3 and 1 more" in lacking(term, [3, 4])
