@@ -70,7 +70,7 @@ def _strays(expr: sp.Basic) -> Iterator[str]:
     """Yield what is not of the language, in the order of the expression."""
     for node in sp.preorder_traversal(expr):
         if isinstance(node, sp.Symbol) and not node.is_real:
-            yield f"the symbol {node} (not declared real)"
+            yield f"the symbol {node}, which is not declared real"
         elif isinstance(node, sp.Pow):
             if not node.exp.is_Rational and not node.exp.is_Float:
                 yield f"a power with the exponent {node.exp}"
