@@ -352,7 +352,7 @@ def test_accounts_of_effects_are_complete(spec: Any) -> None:
 
 def test_all_that_an_effect_may_say_is_typeset() -> None:
     """Every function of the language, a memory, and derivatives that are one-sided at a kink."""
-    x, c = state("torque")[0], sp.Symbol("c", real=True)
+    x, c = state("torque")[0], sp.Symbol("k", real=True)
     said = sp.Piecewise((sp.Mod(x, 3), (x > 1) & (x <= 2) | sp.Ne(x, 5)), (sp.floor(x), True))
     said += sum((f(x) for f in (sp.Abs, sp.sign, sp.exp, sp.log, sp.sin, sp.cos, sp.asin, sp.tanh, sp.Heaviside)), said)
     said += sp.Max(x, 2) + sp.Min(x, 2) + Lag(x, sp.Integer(60))
@@ -365,7 +365,7 @@ def test_all_that_an_effect_may_say_is_typeset() -> None:
         per_limb=True,
         coefficients=(EffectQuantity(c, "1", 1.0, "a coefficient", believable=(-1.0, 1.0)),),
         targets={"joint": c * said},
-        tests=(Reference({"torque": 1.0, "lag_1": 0.0}, {"c": 0.0}, {"joint": 0.0}),),
+        tests=(Reference({"torque": 1.0, "lag_1": 0.0}, {"k": 0.0}, {"joint": 0.0}),),
     )
     (target,), (memory,) = account.targets(spec), account.memories(spec)
     assert memory["rate"].latex.startswith(r"\frac{\text{d}")

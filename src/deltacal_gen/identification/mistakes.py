@@ -18,17 +18,16 @@ from deltacal_gen.estimation.problem import Problem, pose_problem
 from deltacal_gen.estimation.residuals import lengths
 from deltacal_gen.estimation.solvers import LeastSquares
 from deltacal_gen.identification.rotations import FAR_TURNED, POSES_LOOKED_AT, TURNED, apart, turned
-from deltacal_gen.machine.places import read_together
+from deltacal_gen.machine.places import misread, read_together
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.rotation import from_turns, from_vector
-from deltacal_gen.machine.values import ROTATION, Link
+from deltacal_gen.machine.values import ROTATION
 from deltacal_gen.physics.body import Body
 from deltacal_gen.units import DEG
 
 SEED = 2021  # of the poses on which mistakes are tried
 NEARER = 0.5  # of the error: a mistake that brings less is not fitted
 MOST_FITTED = 4
-LEAST_TWIST = 0.1  # sine: axes that are nearly parallel are so whichever way their twist counts
 AS_NEAR = 2.0  # times what the nearest mistake leaves: one that leaves more is not told beside it
 UNITS = ((1000.0, "metres"), (25.4, "inches"), (0.001, "micrometres"))  # and how many mm are one of them
 EXPLAINED = 0.1  # of the error: what a mistake may leave that explains it
@@ -190,26 +189,8 @@ def _of_joints(problem: Problem) -> Iterator[tuple[str, Problem]]:
 
 def _of_links(problem: Problem) -> Iterator[tuple[str, Problem]]:
     """Return other meanings of the table of a chain's links."""
-    robot, links = problem.robot, problem.robot.links
-
-    def with_links(links: tuple[Link, ...], **geometry: Array) -> Problem:
-        other = dataclasses.replace(robot, links=links, geometry={**robot.geometry, **geometry})
-        return pose_problem(other, problem.recording, problem.names, found=problem.readings)
-
-    if len({link.convention for link in links}) == 1:
-        (other,) = {"standard", "modified"} - {links[0].convention}
-        words = f'the table of the links is of the other convention (convention = "{other}" in every [[joint]])'
-        yield words, with_links(tuple(link._replace(convention=other) for link in links))
-    for k, link in enumerate(links):
-        this = np.arange(len(links)) == k
-        if abs(np.sin(link.alpha)) > LEAST_TWIST:
-            turned = np.where(this, -1.0, 1.0) * robot.geometry["alpha"]
-            twisted = (*links[:k], link._replace(alpha=-link.alpha), *links[k + 1 :])
-            yield f"alpha of [[joint]] {k + 1} counts the other way", with_links(twisted, alpha=turned)
-        for key, (factor, unit) in itertools.product(("a", "d"), ((10.0, "cm"), (1000.0, "metres"))):
-            if robot.geometry[key][k]:
-                longer = np.where(this, factor, 1.0) * robot.geometry[key]
-                yield f"{key} of [[joint]] {k + 1} is in {unit}", with_links(links, **{key: longer})
+    for words, robot in misread(problem.robot):
+        yield words, pose_problem(robot, problem.recording, problem.names, found=problem.readings)
 
 
 def _of_contacts(problem: Problem) -> Iterator[tuple[str, Problem]]:
