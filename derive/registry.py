@@ -49,7 +49,7 @@ def _declared(package: ModuleType, name: str, of: Callable[[ModuleType], Spec]) 
     own = package.__name__
     try:
         spec = of(importlib.import_module(f"{own}.{name}"))
-    except Exception as error:
+    except Exception as error:  # whatever a file of somebody else raises, a typing error of Python too
         raise ValueError(_told(own, name, error)) from error
     source = f"{own.replace('.', '/')}/{name}.py"
     if spec.name != name or not name.isidentifier() or keyword.iskeyword(name):

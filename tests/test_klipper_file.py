@@ -171,7 +171,9 @@ def test_reprapfirmware_s_saved_numbers_hold_where_the_configuration_loads_them(
     assert read.robot.geometry["radius"][0] == 130.5
     assert read.robot.geometry["endstop"] == pytest.approx([300.0] * 3)
     config.write_text(config.read_text().replace("M501", ";M501"))
-    assert import_rrf(config, chart).robot.geometry["radius"][0] == 130.0  # type: ignore[union-attr]
+    without = import_rrf(config, chart).robot
+    assert without is not None
+    assert without.geometry["radius"][0] == 130.0
 
 
 def test_a_marlin_too_old_to_say_its_height_is_told_of_by_hand(tmp_path: Path) -> None:

@@ -28,7 +28,7 @@ from deltacal_gen.files.dialect import (
     plain_number,
     with_header,
 )
-from deltacal_gen.files.toml import nearest, read_bytes
+from deltacal_gen.files.toml import nearest
 
 WORKBOOKS = (".xlsx", ".xlsm")
 PARQUET = ".parquet"
@@ -158,8 +158,8 @@ def read_csv(path: Path) -> Rows:
 
 def csv_blocks(path: Path, rows: int | None) -> Iterator[Rows]:
     """Read a CSV file so many rows at a time, or all at once; raises InputError."""
-    _check_text(path)
     encoding = encoding_of(path)
+    _check_text(path)
     try:
         with path.open(encoding=encoding) as file:
             remarks: list[tuple[int, str]] = []
@@ -190,7 +190,8 @@ def csv_blocks(path: Path, rows: int | None) -> Iterator[Rows]:
 
 def _check_text(path: Path) -> None:
     """Raise an InputError where a file that is read as text is one of another program's own."""
-    begin = read_bytes(path)[:8]
+    with path.open("rb") as file:
+        begin = file.read(8)  # of a file that may have millions of rows
     for magic, what, remedy in _FOREIGN:
         if begin.startswith(magic):
             raise InputError(f"this is no text, but {what}.", remedy, file=path)

@@ -19,6 +19,7 @@ import numpy as np
 
 from deltacal_gen.errors import InputError
 from deltacal_gen.files.columns import ONE_SETUP, TOOL, Column, Columns, distances_path
+from deltacal_gen.files.rows import PARQUET
 from deltacal_gen.files.sidecar import sidecar_text
 from deltacal_gen.machine.rotation import to_vector
 from deltacal_gen.machine.values import POSITION, ROTATION, Recording
@@ -36,7 +37,7 @@ def write_recording(recording: Recording, path: str | Path) -> None:
         A file cannot be written, or the distances file of another recording is in the way.
     """
     path = Path(path)
-    if path.suffix.lower() == ".parquet":
+    if path.suffix.lower() == PARQUET:
         raise InputError("recordings are written as CSV.", "Choose a name that ends with .csv.", file=path)
     distances = distances_path(path)
     columns, pair_columns = file_columns(recording)

@@ -170,9 +170,9 @@ class Validation(Answer):
     def _of_apart(self, far: Apart) -> str:
         unit, length = self._shown
         lines = f"line{'s' if len(far.lines) > 1 else ''} {', '.join(map(str, far.lines))}"
-        one = "more than three times as far off as any other reading"
         return (
-            f"{lines}: {one}, which no machine does without a cause: look there first; all others: rms "
+            f"{lines}: more than three times as far off as any other reading, which no machine does without a cause: "
+            "look there first; all others: rms "
             f"{far.rms_of_others_mm / length:.4g} {unit}, largest {far.largest_of_others_mm / length:.4g} {unit}"
         )
 
