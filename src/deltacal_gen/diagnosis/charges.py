@@ -36,9 +36,26 @@ def gains(G: Array, b: Array) -> Array:
     if G.shape[1] == 1:
         seen = G[:, 0] > UNSEEN
         return np.where(seen, b**2 / np.where(seen, G[:, 0], 1.0), 0.0)[:, 0]
-    seen, vectors, sizes = directions(G)
-    along = np.einsum("mij,mi->mj", vectors, np.where(seen, b, 0.0))
-    return np.asarray(np.sum(along**2 / sizes, axis=1))
+    out, full = np.empty(len(G)), _all_seen(G)
+    if full.any():
+        inside = b[full][:, :, None]
+        out[full] = np.sum(inside * np.linalg.solve(G[full], inside), axis=(1, 2))
+    if not full.all():
+        seen, vectors, sizes = directions(G[~full])
+        along = np.einsum("mij,mi->mj", vectors, np.where(seen, b[~full], 0.0))
+        out[~full] = np.sum(along**2 / sizes, axis=1)
+    return out
+
+
+def _all_seen(G: Array) -> np.ndarray:
+    """Return of which normal equations (M, k, k) all columns and directions are seen, without looking for any: (M,).
+
+    The smallest eigenvalue is no less than the determinant by what the others can be at most, of one trace.
+    """
+    k, each = G.shape[1], np.diagonal(G, axis1=1, axis2=2)
+    trace = np.maximum(each.sum(axis=1), UNSEEN)
+    least = np.linalg.det(G) * ((k - 1) / trace) ** (k - 1)
+    return np.asarray((each > UNSEEN).all(axis=1) & (least > 2 * SMALLEST * trace))
 
 
 def directions(G: Array) -> tuple[np.ndarray, Array, Array]:

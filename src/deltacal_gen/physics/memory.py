@@ -77,15 +77,15 @@ def along(
     length = np.where(first, 0.0, np.diff(time[order], prepend=0.0))
     share, rows = np.ones(len(order)), np.arange(len(order))
     points = _Points(kernels, constants, length, share, states[order], coefficients[order], first, rows)
-    z, slope, by_c = points.solved()
+    z, whole, slope, by_c = points.solved()
     for halving in range(HALVINGS + 1):
-        errors = points.errors(z)
+        errors = points.errors(z, whole)
         allowed = np.maximum(tolerance * points.share[:, None, None], ROUNDING) * np.maximum(1.0, np.abs(z))
         coarse: np.ndarray = np.any(errors > allowed, axis=(1, 2))
         if halving == HALVINGS or not coarse.any() or len(z) + coarse.sum() > max(MOST, PER_ROW * len(time)):
             break
         points = points.halved(coarse)
-        z, slope, by_c = points.solved()
+        z, whole, slope, by_c = points.solved()
     bound = recursion(np.abs(slope), errors)
     rows, back = points.rows, np.argsort(order)
     settled = np.logical_and.reduceat((errors <= allowed).all(axis=2), np.r_[0, rows[:-1] + 1], axis=0)
@@ -132,8 +132,8 @@ class _Points:
             rows=self.rows + np.searchsorted(at, self.rows, side="right"),
         )
 
-    def solved(self) -> tuple[Array, Array, Array]:
-        """Return z (K, limbs, m), the derivative of each by the one before, and those by the coefficients."""
+    def solved(self) -> tuple[Array, Array, Array, Array]:
+        """Return z (K, limbs, m), what each interval makes of the one before, and the derivatives by that and by c."""
         start = self._flat(self.kernels.start, self.states, self.coefficients)
         z = start[np.maximum.accumulate(np.where(self.first, np.arange(len(start)), 0))]
         begins = self.first[:, None, None]
@@ -147,13 +147,15 @@ class _Points:
         else:
             z = np.full_like(z, np.nan)
         by = np.where(begins[..., None], 0.0, found[..., 2:])
-        return z, slope, recursion(np.broadcast_to(slope[..., None], by.shape), by)
+        return z, found[..., 0], slope, recursion(np.broadcast_to(slope[..., None], by.shape), by)
 
-    def errors(self, z: Array) -> Array:
-        """Return how far each point is off by its own interval, (K, limbs, m): what halving it would change."""
+    def errors(self, z: Array, whole: Array) -> Array:
+        """Return how far each point is off by its own interval, (K, limbs, m): what halving it would change.
+
+        `whole` is what the intervals make of the points before them, as `solved` returns it.
+        """
         begin, half = self.states[self._before], self.length / 2
         middle = (begin + self.states) / 2
-        whole = self._over(z[self._before], begin, self.states, self.length)[..., 0]
         there = self._over(z[self._before], begin, middle, half)[..., 0]
         halves = self._over(there, middle, self.states, half)[..., 0]
         return np.where(self.first[:, None, None], 0.0, np.abs(whole - halves) * THIRD_ORDER)
