@@ -33,16 +33,17 @@ LINES: list[tuple[object, ...]] = [
     ("compensate", "diagnosis.json", "--export", "c", "-o", "command.c"),
 ]
 MANY = {"loop", "batch"}  # commands of the tests that take longer
-OF_OTHERS = {"derivation", "effects", "models"}  # those that list or show what no kind changes
+OF_OTHERS = {"effects", "models"}  # those that list or show what no kind changes
 
 
 def planned(name: str) -> list[tuple[object, ...]]:
-    """Return lines that choose poses for a kind, simulate there, and say what they will give."""
+    """Return lines that choose poses for a kind, simulate there, say what they will give, and show its equations."""
     return [
         ("plan", "robot.toml", *MODEL, "--kind", name, "-o", "rings.csv"),
         ("plan", "robot.toml", *MODEL, "--kind", name, "--optimal", OPTIMAL, "-o", "chosen.csv"),
         ("simulate", "robot.toml", "chosen.csv", "-o", "taken.csv", *WITH_TRUTH),
         ("study", "robot.toml", "--plan", "chosen.csv", *MODEL, *FEW, "-o", "study.json"),
+        ("derivation", name, "-o", "page.md"),
     ]
 
 
@@ -106,6 +107,9 @@ def test_every_command_takes_it(added: Checkout) -> None:
     said = dict(zip((line[0] for line in lines), added.deltacal(*lines), strict=True))
     assert {*case.columns} <= {*(folder / "taken.csv").read_text(encoding="utf-8").splitlines()[0].split(",")}
     assert json.loads((folder / "study.json").read_text(encoding="utf-8"))["kind"] == name
+    page = (folder / "page.md").read_text(encoding="utf-8")
+    assert all(f"`{column}`" in page for column in case.columns)
+    assert "the order is " in page
     result = json.loads((folder / "result.json").read_text(encoding="utf-8"))
     assert result["readings"]["kind"] == result["instrument"]["kind"] == name
     assert result["readings"]["scalars"] == FITTED * len(case.columns)

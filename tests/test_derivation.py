@@ -35,7 +35,7 @@ from derive.review.directions import links_of, null_spaces_of_chain
 from derive.review.machine import Written
 from derive.review.sources import Sources, kernels
 from derive.review.subjects import applies, example, subject, subjects
-from derive.review.written import OPAQUE, Entries, exactly
+from derive.review.written import exactly
 from derive.spec import ChainMechanism, LimbMechanism
 from derive.steps import Derivation
 
@@ -113,21 +113,6 @@ def test_differentials_are_those_of_the_steps(name: str, written: dict[str, Writ
             known = {s: at.setdefault(s, 0.3) for s in whole.free_symbols}
             slope = sum(value(sp.diff(whole, s), known) * at.setdefault(moving[s], 0.3) for s in known if s in moving)
             assert value(formula, at) == pytest.approx(slope, abs=1e-9), (step, formula)
-
-
-@pytest.mark.parametrize("name", registry.measurement_names())
-def test_readings_are_shown_as_they_are_lowered(name: str) -> None:
-    spec, lowered = registry.measurement(name, OPAQUE), registry.measurement(name)
-    reader, triples = account.reader_of(spec), []
-    if len(spec.reading) == 3:
-        triples.append((sp.Matrix(spec.reading), sp.Matrix(lowered.reading)))
-    triples += zip(map(sp.Matrix, spec.rotation), map(sp.Matrix, lowered.rotation), strict=True)
-    for written, exact in triples:
-        shown = reader.read(written)
-        assert not isinstance(shown, Entries), "no vector or matrix was recognised"
-        at = numbers(exact.free_symbols)
-        for e, own in zip(shown.explicit(), exact, strict=True):
-            assert value(e, at) == pytest.approx(value(own, at), abs=1e-12)
 
 
 @pytest.mark.parametrize("name", ["diamond", "robotennis", "planar_parallelogram", "simplified_parallelogram"])
@@ -384,9 +369,9 @@ def test_all_that_an_effect_may_say_is_typeset() -> None:
 
 @pytest.fixture(scope="module")
 def pages(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder with a report of a machine in both formats, and of an effect."""
+    """A folder with reports of a machine, of an effect and of two kinds of measurement, in both formats."""
     folder = tmp_path_factory.mktemp("reports")
-    chosen = [subject(name) for name in ("diamond/12", "backlash")]
+    chosen = [subject(name) for name in ("diamond/12", "backlash", "board_image", "encoder")]
     for one, template, found in reports.made(chosen, lambda text: None):
         for ending in (".html", ".md"):
             for path, text in reports.files(folder / f"{one.stem}{ending}", template, found).items():
@@ -484,7 +469,7 @@ def test_a_report_is_the_same_bytes_anywhere(pages: Path, tmp_path: Path) -> Non
 
 def test_the_index_names_every_model_and_effect() -> None:
     names = {s.name for s in subjects()}
-    assert names >= set(effect_names())
+    assert names >= {*effect_names(), *registry.measurement_names()}
     for name in mechanism_names():
         assert any(s.mechanism == name for s in subjects()), name
     assert {"delta/42", "delta/51", "diamond/12", "planar_parallelogram/9", "robotennis/15", "serial/dh"} <= names
@@ -515,7 +500,7 @@ def test_derivatives_converge_on_every_example(name: str) -> None:
 @pytest.mark.parametrize(
     ("arguments", "error", "words"),
     [
-        (("nothing/3", "a.html"), UsageError, "there is no model, mechanism or effect 'nothing/3'"),
+        (("nothing/3", "a.html"), UsageError, "there is no model, mechanism, effect or measurement 'nothing/3'"),
         ((None, "a.html"), UsageError, "give a model"),
         (("diamond", "a.pdf"), InputError, "ends with none of .html, .md"),
     ],

@@ -1,9 +1,9 @@
 """Points of a flat printed board in a camera on the platform, or of a board on the platform in a camera beside it.
 
-A point ``b = (1 + scale) (x, y, 0)`` of the print lies at ``B b + g`` in the frame of the part that the board is fixed
-to, and the camera sees it at ``c = C X + h``, `X` the same point as the camera's part counts it: on the platform
-``R^T (B b + g - P)``, beside the machine ``P + R (B b + g)``; `ride` tells which. The image of `c` follows the pinhole
-camera with the five coefficients of Brown's lens (Brown 1966; order and signs as in OpenCV: k1 k2 p1 p2 k3).
+A point ``m = (1 + scale) (x, y, 0)`` of the print lies at ``e = B m + g`` in the frame of the part that the board is
+fixed to, and the camera sees it at ``n = C X + h``, `X` the same point as the camera's part counts it: on the platform
+``r = R^T (e - P)``, beside the machine ``q = P + R e``; `ride` tells which. The image of `n` follows the pinhole camera
+with the five coefficients of Brown's lens (Brown 1966; order and signs as in OpenCV: k1 k2 p1 p2 k3).
 """
 
 from __future__ import annotations
@@ -32,17 +32,13 @@ MEANINGS = (
     "radial distortion, sixth power",
 )
 TYPICAL = (50.0, 50.0, 30.0, 30.0, 0.1, 0.1, 0.003, 0.003, 0.1)
-c = vector(*sp.symbols("c_x c_y c_z", real=True))
+m, e, r, q, n = (vector(*sp.symbols(" ".join(f"{name}_{axis}" for axis in "xyz"), real=True)) for name in "merqn")
 a, b, square, radial, across, down = sp.symbols("a b square radial across down", real=True)
 
 
 def measurement(v: Algebra) -> Measurement:
     """Return the kind of measurement, its rotations written in an algebra."""
     turned = v.cayley(X.turn) * X.rotation
-    printed = (1 + scale + dscale) * vector(x, y, 0)
-    fixed = v.cayley(u) * B * printed + g + dg  # in the frame of the part that carries the board
-    riding, beside = turned.T * (fixed - X.position), X.position + turned * fixed
-    seen = v.cayley(w) * C * (ride * riding + (1 - ride) * beside) + h + dh
     fx, fy, cx, cy, k1, k2, p1, p2, k3 = (known + more for known, more in zip(lens, dlens, strict=True))
     return Measurement(
         name="board_image",
@@ -71,9 +67,13 @@ def measurement(v: Algebra) -> Measurement:
         ),
         reading=(cx + fx * across, cy + fy * down),
         steps=(
-            *zip(c, seen, strict=True),
-            (a, c[0] / c[2]),
-            (b, c[1] / c[2]),
+            *zip(m, (1 + scale + dscale) * vector(x, y, 0), strict=True),
+            *zip(e, v.cayley(u) * B * m + g + dg, strict=True),  # in the frame of the part that carries the board
+            *zip(r, turned.T * (e - X.position), strict=True),
+            *zip(q, X.position + turned * e, strict=True),
+            *zip(n, v.cayley(w) * C * (ride * r + (1 - ride) * q) + h + dh, strict=True),
+            (a, n[0] / n[2]),
+            (b, n[1] / n[2]),
             (square, a**2 + b**2),
             (radial, 1 + k1 * square + k2 * square**2 + k3 * square**3),
             (across, a * radial + 2 * p1 * a * b + p2 * (square + 2 * a**2)),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import inspect
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -28,7 +28,7 @@ from derive.review.machine import Written, difference
 from derive.review.sources import Lines, Place, of_function
 from derive.review.typeset import Math, Shown
 from derive.review.written import OPAQUE, Entries, Reader, tidy
-from derive.spec import ChainMechanism, LimbMechanism, Measurement, Platform, Quantity, Screw
+from derive.spec import ChainMechanism, Joint, LimbMechanism, Measurement, Platform, Quantity, Screw, Steps
 
 TARGETS = ("joint", "limb.part", "turn.axis", "tool.axis", "reading.axis")  # one of each kind that an effect moves
 LONGEST = 40  # operations of a formula that a reader wants to see
@@ -336,7 +336,7 @@ def reader_of(spec: Measurement) -> Reader:
         entries_of.setdefault(re.sub(r"(_?[xyz]|[1-3]{2})$", "", str(s)), []).append(s)
     vectors |= {name: sp.Matrix(e) for name, e in entries_of.items() if len(e) == 3}
     matrices |= {name: sp.Matrix(3, 3, e) for name, e in entries_of.items() if len(e) == 9}
-    return Reader(vectors, matrices, ts.vector)
+    return Reader(vectors, matrices, ts.vector, transposes=True)
 
 
 def measurement(name: str) -> dict[str, Any]:
@@ -344,7 +344,7 @@ def measurement(name: str) -> dict[str, Any]:
     spec = registry.measurement(name, OPAQUE)
     lines, reader = Lines(spec.source), reader_of(spec)
     y = ts.letter("y")
-    steps = [ts.equation(ts.name(str(s)), ts.expression(tidy(e))) for s, e in spec.steps if sp.count_ops(e) < LONGEST]
+    steps = list(_steps(spec.steps, reader))
     readings: list[Math] = []
     if len(spec.reading) == 3:
         form = reader.read(sp.Matrix(spec.reading))
@@ -362,12 +362,38 @@ def measurement(name: str) -> dict[str, Any]:
         "name": spec.name,
         "meaning": spec.meaning,
         "source": spec.source,
+        "docstring": inspect.getdoc(registry.file_of(spec)) or "",
+        "of": _looked_at(spec.platforms),
+        "columns": spec.columns,
+        "known": [q.name for q in spec.known],
         "steps": steps,
         "readings": readings,
         "given": _by_meaning(spec.given),
         "unknown": _by_meaning(spec.unknown),
         "place": lines.keyword("reading"),
     }
+
+
+def _steps(steps: Steps, reader: Reader) -> Iterator[Math]:
+    """Yield named quantities as formulas: of a vector, x, y and z one after the other, one formula."""
+    waiting = list(steps)
+    while waiting:
+        stem, axis = str(waiting[0][0])[:-1], str(waiting[0][0])[-1]
+        three = [str(s) for s, _ in waiting[:3]]
+        if axis == "x" and three == [f"{stem}{other}" for other in "xyz"]:
+            form = reader.read(sp.Matrix([e for _, e in waiting[:3]]))
+            yield ts.equation(ts.vector(stem.removesuffix("_")), form.math(lambda s: None))
+            waiting = waiting[3:]
+        else:
+            symbol, value = waiting.pop(0)
+            yield ts.equation(ts.name(str(symbol)), ts.expression(tidy(value)))
+
+
+def _looked_at(platforms: Sequence[Platform | Joint]) -> str:
+    """Return what one reading is of, in words."""
+    if len(platforms) > 1:
+        return "the platform at two rows"
+    return "the platform" if isinstance(platforms[0], Platform) else "one joint"
 
 
 def _by_meaning(quantities: Iterable[Quantity]) -> list[dict[str, Any]]:
@@ -377,9 +403,10 @@ def _by_meaning(quantities: Iterable[Quantity]) -> list[dict[str, Any]]:
         found.setdefault(q.meaning.partition(", entry")[0], []).append(q)
     return [
         {
-            "symbol": ts.name(re.sub(r"[xyz]$|_?11$", "", alike[0].name), bold=True)
+            "symbol": ts.name(re.sub(r"[xyz]$|_?11$", "", str(alike[0].symbol)), bold=True)
             if len(alike) > 1
-            else ts.name(alike[0].name),
+            else ts.name(str(alike[0].symbol)),
+            "names": [q.name for q in alike],
             "unit": "" if alike[0].unit == "1" else alike[0].unit,
             "meaning": meaning,
         }

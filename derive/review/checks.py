@@ -20,7 +20,7 @@ from deltacal_gen.instrument.kind import Kind
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.instrument.kinds import names as kind_names
 from deltacal_gen.machine.registry import SOLVED, Array, Machine, mechanism_of
-from deltacal_gen.machine.rotation import to_vector
+from deltacal_gen.machine.rotation import from_vector, to_vector
 from deltacal_gen.machine.values import Camera, Measurement
 
 SEED = 1
@@ -33,6 +33,7 @@ STANDS = 4  # ways in which an open chain touches each of them
 TOUCHES = 12  # Newton steps to a fixed point
 MOST_READINGS = 2000  # of a kind and a reference point: of more, some are drawn
 TOUCHED = 1e-9  # mm off a fixed point
+MOUNTED = 0.05  # of how far off an instrument ordinarily stands: about there its derivatives are checked
 CAMERA = Camera(fx_px=1500.0, fy_px=1500.0, cx_px=640.0, cy_px=512.0, ball_radius_mm=20.0)
 OFFSETS = ((0.0, 0.0, 0.0), (0.0, 0.0, -150.0), (150.0, 0.0, 0.0))  # reference points on the platform [mm]
 
@@ -86,9 +87,9 @@ class Order:
 
     @property
     def order(self) -> float:
-        """Least slope between steps, of those that rounding does not spoil."""
+        """Median slope between steps, of those that rounding does not spoil; infinite where it spoils all."""
         clear = self.gaps > 1e-9 * max(float(self.gaps[0]), 1e-3)
-        slopes = np.log2(self.gaps[:-1] / np.maximum(self.gaps[1:], 1e-300))[clear[1:]]
+        slopes = -np.diff(np.log2(np.maximum(self.gaps, 1e-300)))[clear[1:]]
         return float(np.median(slopes)) if len(slopes) else float("inf")
 
 
@@ -212,6 +213,7 @@ def moved(x: Array, to: Array) -> Array:
 
 
 TURNS = ("tilt", "twist", "turn")  # deflections that are angles
+LEVER = 100.0  # mm: at which a turn counts as a shift
 
 
 def orders(robot: Robot, poses: Poses) -> list[Order]:
@@ -219,13 +221,12 @@ def orders(robot: Robot, poses: Poses) -> list[Order]:
     mechanism, rng = mechanism_of(robot), np.random.default_rng(SEED + 1)
     rows = mechanism.rows(robot)
     S = mechanism.sensitivity(poses.x, poses.q, poses.tool, rows)
-    lever = 100.0  # mm: at which a turn counts as a shift
-    size = np.array([1.0, 1.0, 1.0, lever, lever, lever])
+    size = np.array([1.0, 1.0, 1.0, LEVER, LEVER, LEVER])
 
     errors = mechanism.typical * rng.standard_normal(len(mechanism.parameters))
     joints = _size(robot, 0.01, 1.0) * rng.standard_normal(mechanism.limbs)
     turned = np.array([name.startswith(TURNS) for name in mechanism.deflections], dtype=bool)
-    bent = rng.standard_normal((1, mechanism.limbs, len(turned))) * np.where(turned, 1.0 / lever, 1.0)
+    bent = rng.standard_normal((1, mechanism.limbs, len(turned))) * np.where(turned, 1.0 / LEVER, 1.0)
     base = mechanism.vector(robot.errors)
 
     def gap(step: float, by: str) -> float:
@@ -246,6 +247,53 @@ def orders(robot: Robot, poses: Poses) -> list[Order]:
     steps: Array = 8.0 * 0.5 ** np.arange(HALVINGS, dtype=float)
     names = ["source errors", "joints", *(["deflections"] if mechanism.deflections else [])]
     return [Order(by, steps, np.array([gap(float(s), by) for s in steps])) for by in names]
+
+
+def orders_of_readings(robot: Robot, kind: Kind) -> list[Order]:
+    """Return the orders of a kind's derivatives by what it looks at, and by its own unknowns, in a random direction.
+
+    An instrument whose unknowns were stepped reads what its derivatives say only if its state after the step is right.
+    """
+    rng, poses = np.random.default_rng(SEED + 5), spread(robot)
+    x = poses.q if kind.sees_joints else poses.x
+    found, at = kind.imagined(x, 1, mechanism_of(robot), _usual(robot, poses.x))
+    if len(found) > MOST_READINGS:
+        found = found.subset(rng.permutation(len(found))[:MOST_READINGS])
+    typical = np.tile(kind.typical[list(at.free)], len(at.state))
+    at = at.stepped(MOUNTED * typical * rng.uniform(-1.0, 1.0, len(typical)))
+    step = rng.standard_normal((len(x), x.shape[1] if kind.sees_joints else 6))
+    step[:, 3:] /= LEVER
+    own = MOUNTED * typical * rng.standard_normal(len(typical))
+    by_place, by_own = at.linearise(found, x, step[:, :, None])
+    before, lever = at.predict(found, x), np.ones(by_place.shape[1])
+    lever[list(kind.turned)] = LEVER
+
+    def gap(size: float, by: str) -> float:
+        if by == "unknowns":
+            after, first = at.stepped(size * own).predict(found, x), by_own @ own
+        else:
+            there = x + size * step if kind.sees_joints else displaced(x, size * step)
+            after, first = at.predict(found, there), by_place[:, :, 0]
+        left = (_change(before, after, at.scale) - size * first) * lever
+        return float(np.sqrt(np.nanmean(left**2)))
+
+    steps: Array = 8.0 * 0.5 ** np.arange(HALVINGS, dtype=float)
+    names = ["joints" if kind.sees_joints else "platform", *(["unknowns"] if len(own) else [])]
+    return [Order(by, steps, np.array([gap(float(s), by) for s in steps])) for by in names]
+
+
+def displaced(x: Array, by: Array) -> Array:
+    """Return poses (N, 12) shifted and turned in {O} by (N, 6) [mm, rad]."""
+    turned = from_vector(by[:, 3:]) @ x[:, 3:].reshape(-1, 3, 3)
+    return np.hstack([x[:, :3] + by[:, :3], turned.reshape(-1, 9)])
+
+
+def _change(before: tuple[Array, Array | None], after: tuple[Array, Array | None], scale: float) -> Array:
+    """Return how readings change (R, k): values as residuals count them, and the rotation between rotations."""
+    gap = scale * (after[0] - before[0])
+    if before[1] is None or after[1] is None:
+        return gap
+    return np.hstack([gap, to_vector(after[1] @ np.swapaxes(before[1], 1, 2))])
 
 
 def linear_against_exact(robot: Robot, poses: Poses, names: Sequence[str]) -> tuple[Array, Array]:
@@ -280,9 +328,8 @@ def identification(
     mechanism = mechanism_of(robot)
     x = np.vstack([s.x for s in sets])
     S = np.vstack([s.by_errors for s in sets])[:, :, [mechanism.index[n] for n in names]]
-    point = _base_point(robot, x)
-    usual = Measurement(frame=frame, camera=CAMERA, base_point_mm=tuple(point.tolist()))
-    found, instrument = kind.imagined(x, len(sets), mechanism, dataclasses.replace(usual, **(said or {})))
+    usual = dataclasses.replace(_usual(robot, x), frame=frame, **(said or {}))
+    found, instrument = kind.imagined(x, len(sets), mechanism, usual)
     each = len(found) // len(sets)
     if each > MOST_READINGS:
         few = np.random.default_rng(SEED + 3).permutation(each)[:MOST_READINGS]
@@ -290,13 +337,18 @@ def identification(
     J, nuisance = instrument.linearise(found, x, S)
     instrument.add_carried(J, mechanism, names, found, x)
     turned = list(kind.turned)
-    J[:, turned], nuisance[:, turned] = 100.0 * J[:, turned], 100.0 * nuisance[:, turned]
+    J[:, turned], nuisance[:, turned] = LEVER * J[:, turned], LEVER * nuisance[:, turned]
     J, nuisance = J.reshape(-1, J.shape[2]), nuisance.reshape(J.shape[0] * J.shape[1], -1)
     if nuisance.shape[1]:
         U, s, _ = np.linalg.svd(nuisance, full_matrices=False)
         Q = U[:, s > 1e-10 * s[0]]
         J = J - Q @ (Q.T @ J)
     return np.asarray(J)
+
+
+def _usual(robot: Robot, x: Array) -> Measurement:
+    """Return what an ordinary sidecar would say, at poses (N, 12)."""
+    return Measurement(frame="unknown", camera=CAMERA, base_point_mm=tuple(_base_point(robot, x).tolist()))
 
 
 def _base_point(robot: Robot, x: Array) -> Array:

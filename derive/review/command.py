@@ -1,4 +1,4 @@
-"""``python -m derive review``: write reports of models and effects, or look at a machine that was just derived.
+"""``python -m derive review``: write reports of what is derived, or look at a machine that was just derived.
 
 Standard output is the answer, the files one a line, or why there are none: of an unusable input that is JSON, what an
 `InputError` holds. What is being done goes to standard error. The exit code is that of the error's class.
@@ -26,7 +26,7 @@ def _tell(what: str) -> None:
 
 
 def write(name: str, output: Path) -> list[Path]:
-    """Write the report of a model, a mechanism (its largest model) or an effect as a page, or as Markdown."""
+    """Write the report of a model, mechanism (its largest model), effect or measurement as a page, or as Markdown."""
     ((_, template, found),) = reports.made([subject(name)], _tell)
     files = reports.files(output, template, found)
     write_files(files)
@@ -59,7 +59,7 @@ def try_out(file: Path, output: Path) -> str:
 def main(arguments: Sequence[str]) -> int:
     """Run the command; return its exit code."""
     parser = argparse.ArgumentParser(prog="python -m derive review", description="Write reports for reviewers.")
-    parser.add_argument("name", nargs="?", help="a model (delta/42), a mechanism or an effect; without it all of them")
+    parser.add_argument("name", nargs="?", help="a model (delta/42), mechanism, effect or measurement; without it all")
     parser.add_argument("--try", dest="tried", metavar="ROBOT.toml", type=Path, help="no report: look at this machine")
     parser.add_argument("-o", "--output", type=Path, required=True, help="FILE.html or FILE.md; of all a folder")
     asked = parser.parse_args(arguments)

@@ -20,6 +20,7 @@ from matplotlib.axes import Axes
 
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.identification.identifiability import RANK_TOLERANCE
+from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.machine.registry import Machine, mechanism_names, mechanism_of
 from deltacal_gen.pages import ledger, report
@@ -31,7 +32,7 @@ from derive.papers import verdicts
 from derive.review import account as accounts
 from derive.review import checks, geometry, laws, method, notation, sketch
 from derive.review.sources import ROOT, Kernel, Sources, kernels, of_function, table_of
-from derive.review.subjects import METHOD, Subject, applies, example, title_of
+from derive.review.subjects import Sort, Subject, applies, example, seen_by, title_of
 
 KERNELS = "generated/deltacal_kernels"
 PAGES = Path(__file__).parent / "pages"
@@ -351,14 +352,14 @@ def _checked(one: Subject, robot: Robot, names: Sequence[str]) -> dict[str, Any]
     }
 
 
-def _orders(axes: Axes, found: Sequence[checks.Order]) -> None:
+def _orders(axes: Axes, found: Sequence[checks.Order], steps: str = "step, in ordinary errors") -> None:
     for order, colour in zip(found, (AFTER, BEFORE, MUTED), strict=False):
         axes.loglog(order.steps, np.maximum(order.gaps, 1e-13), "o-", ms=3.5, lw=1.2, color=colour, label=order.by)
-    steps = found[0].steps
-    axes.loglog(steps, found[0].gaps[0] * 2.5 * (steps / steps[0]) ** 2, "--", lw=0.9, color=MUTED, label="slope 2")
+    sizes = found[0].steps
+    axes.loglog(sizes, found[0].gaps[0] * 2.5 * (sizes / sizes[0]) ** 2, "--", lw=0.9, color=MUTED, label="slope 2")
     decades(axes.xaxis)
     decades(axes.yaxis)
-    axes.set_xlabel("step, in ordinary errors")
+    axes.set_xlabel(steps)
     axes.set_ylabel("left by first order, mm")
     axes.legend(frameon=False)
 
@@ -469,7 +470,49 @@ def effect_content(one: Subject) -> dict[str, Any]:
     }
 
 
-def method_content() -> dict[str, Any]:
+def measurement_content(one: Subject) -> dict[str, Any]:
+    """Return all that a report of a kind of measurement shows."""
+    sources, account, kind = Sources(), accounts.measurement(one.name), kind_of(one.name)
+    file, robot = f"{KERNELS}/measurements/{one.name}.py", seen_by(kind)
+    with using(Backend.NUMPY):
+        orders = checks.orders_of_readings(robot, kind)
+    bent = [o for o in orders if np.isfinite(o.order)]
+    picture = report.picture(partial(_orders, found=bent, steps="step"), (4.4, 3.0)) if bent else None
+    return {
+        "subject": one.name,
+        "what": account["meaning"],
+        "account": account,
+        "conventions": account["docstring"],
+        "at": sources.at(*account["place"]),
+        "effects": [
+            {"name": name, "title": load_effect(name).TITLE}
+            for name in effect_names()
+            if set(load_effect(name).TARGETS) & set(kind.targets)
+        ],
+        "checked": _checked_by(robot.name, kind.scale, orders),
+        "checks": {"orders_picture": picture},
+        "kernels": table_of(kernels(sources, file), sources),
+        "listings_": sources.listings(),
+        "provenance": _provenance(one, sources, [account["source"], "derive/mathematics/measurements.py", file]),
+    }
+
+
+def _checked_by(robot: str, scale: float, orders: Sequence[checks.Order]) -> str:
+    """Return in words how the derivatives of readings were checked, and what came of it."""
+    linear, each = "they are linear, and first order leaves nothing", []
+    for o in orders:
+        by = "the unknowns" if o.by == "unknowns" else f"the {o.by}"
+        each.append(f"by {by} {f'the order is {o.order:.3f}' if np.isfinite(o.order) else linear}")
+    text = f"Readings at poses of the machine '{robot}', by random steps, {scale:g} mm for a unit of a value: "
+    text += f"{'; '.join(each)}."
+    if any(np.isfinite(o.order) for o in orders):
+        text += " 2 or more says that the derivative is right: halve the step, quarter the gap."
+    if any(o.by == "unknowns" for o in orders):
+        text += " A step of the unknowns is taken by the instrument's state after it, which is checked by that, too."
+    return text
+
+
+def method_content(one: Subject) -> dict[str, Any]:
     """Return all that the report of the method shows."""
     sources = Sources()
     found = [
@@ -483,12 +526,19 @@ def method_content() -> dict[str, Any]:
     ]
     files = sorted({place.file for step in method.steps() for _, place in method.ends(step)})
     return {
-        "subject": METHOD.name,
+        "subject": one.name,
         "steps": found,
         "listings_": sources.listings(),
-        "provenance": _provenance(METHOD, sources, ["derive/review/method.py", *files]) | {"seed": method.SEED},
+        "provenance": _provenance(one, sources, ["derive/review/method.py", *files]) | {"seed": method.SEED},
     }
 
+
+CONTENTS: Mapping[Sort, Callable[[Subject], dict[str, Any]]] = {
+    Sort.MODEL: content,
+    Sort.EFFECT: effect_content,
+    Sort.MEASUREMENT: measurement_content,
+    Sort.METHOD: method_content,
+}
 
 # ---------------------------------------------------------------------------------------------------------- the files
 
@@ -507,25 +557,21 @@ def files(path: Path, template: str, found: Mapping[str, Any]) -> dict[Path, str
 
 
 def made(chosen: Sequence[Subject], progress: Callable[[str], None]) -> Iterator[tuple[Subject, str, dict[str, Any]]]:
-    """Yield each subject with the template and the content of its report."""
+    """Yield each subject with the template, which is called as its sort is, and the content of its report."""
     for done, one in enumerate(chosen, start=1):
         progress(f"{one.name} ({done} of {len(chosen)})")
-        if one == METHOD:
-            yield one, "method", method_content()
-        else:
-            yield (one, "derivation", content(one)) if one.mechanism else (one, "effect", effect_content(one))
+        yield one, one.sort.value, CONTENTS[one.sort](one)
 
 
 def index(found: Sequence[tuple[Subject, dict[str, Any]]], ending: str) -> dict[str, Any]:
     """Return what the page that leads to all reports shows."""
     machines: dict[str, dict[str, Any]] = {}
-    effects = []
+    others: dict[Sort, list[dict[str, Any]]] = {Sort.EFFECT: [], Sort.MEASUREMENT: []}
     for one, data in found:
         file = f"{one.stem}{ending}"
-        if one == METHOD:
-            continue
-        if not one.mechanism:
-            effects.append({"name": one.name, "file": file, "title": data["what"]})
+        if one.sort in others:
+            others[one.sort].append({"name": one.name, "file": file, "title": data["what"]})
+        if one.sort is not Sort.MODEL:
             continue
         machine = machines.setdefault(
             one.mechanism,
@@ -534,4 +580,7 @@ def index(found: Sequence[tuple[Subject, dict[str, Any]]], ending: str) -> dict[
         seen = _of_positions(data["ranks"])
         columns = data["ranks"][0]["columns"] if data["ranks"] else 0
         machine["models"].append({"name": one.name, "file": file, "parameters": columns, "rank": seen and seen["rank"]})
-    return {"machines": list(machines.values()), "effects": effects}
+    return {
+        "machines": list(machines.values()),
+        "lists": [("Effects", others[Sort.EFFECT]), ("Measurements", others[Sort.MEASUREMENT])],
+    }

@@ -1,15 +1,17 @@
-"""What a report may be on: models of mechanisms, and effects; and the machine that shows each in numbers."""
+"""What a report may be on: models, effects, measurements and the method; and the machine that shows each in numbers."""
 
 from __future__ import annotations
 
 import importlib
 from dataclasses import dataclass
+from enum import Enum
 from functools import cache
 from importlib import resources
 from pathlib import Path
 
 from deltacal_gen.errors import UsageError
 from deltacal_gen.files.robot import Robot, for_model, read_robot, robot_from_dict
+from deltacal_gen.instrument.kind import Kind
 from deltacal_gen.machine.registry import load_mechanism, mechanism_names, mechanism_of
 from deltacal_gen.physics.parts import lacking
 from deltacal_gen.physics.terms import effect_names
@@ -17,38 +19,54 @@ from derive import registry
 from derive.spec import LimbMechanism
 
 
+class Sort(Enum):
+    """What a report is on, each with a page of its own."""
+
+    MODEL = "derivation"
+    EFFECT = "effect"
+    MEASUREMENT = "measurement"
+    METHOD = "method"
+
+
 @dataclass(frozen=True)
 class Subject:
-    """What a report is on: a model of a mechanism, an effect, or the method.
+    """What a report is on: a model of a mechanism, an effect, a kind of measurement, or the method.
 
     Attributes
     ----------
     name : str
-        ``delta/42`` or ``backlash``.
+        ``delta/42``, ``backlash`` or ``distance``.
+    sort : Sort
     mechanism : str
-        Registered name; empty for an effect.
+        Registered name; empty where it is of none.
     """
 
     name: str
-    mechanism: str
+    sort: Sort
+    mechanism: str = ""
 
     @property
     def stem(self) -> str:
         """Name of its file."""
-        return self.name.replace("/", "-") if self.mechanism or self.name == "method" else f"effect-{self.name}"
+        own = self.name.replace("/", "-")
+        return own if self.sort in (Sort.MODEL, Sort.METHOD) else f"{self.sort.value}-{own}"
 
 
-METHOD = Subject("method", "")  # what every recording goes through: solvers, weights, the charge of a search
+METHOD = Subject("method", Sort.METHOD)  # what every recording goes through: solvers, weights, the charge of a search
 
 
 def subjects() -> list[Subject]:
-    """Return all models of all mechanisms, all effects, and the method."""
-    models = [Subject(model, name) for name in mechanism_names() for model in _models(name)]
-    return [*models, *(Subject(name, "") for name in effect_names()), METHOD]
+    """Return all models of all mechanisms, all effects, all kinds of measurement, and the method."""
+    return [
+        *(Subject(model, Sort.MODEL, name) for name in mechanism_names() for model in _models(name)),
+        *(Subject(name, Sort.EFFECT) for name in effect_names()),
+        *(Subject(name, Sort.MEASUREMENT) for name in registry.measurement_names()),
+        METHOD,
+    ]
 
 
 def subject(name: str) -> Subject:
-    """Return what `name` means: a model, a mechanism (then its largest model) or an effect.
+    """Return what `name` means: a model, a mechanism (then its largest model), an effect or a kind of measurement.
 
     Raises
     ------
@@ -59,7 +77,7 @@ def subject(name: str) -> Subject:
     named = [s for s in every if s.name == name] or [s for s in every if s.mechanism == name]
     if not named:
         known = ", ".join(s.name for s in every)
-        raise UsageError(f"there is no model, mechanism or effect '{name}'; known: {known}.")
+        raise UsageError(f"there is no model, mechanism, effect or measurement '{name}'; known: {known}.")
     return named[0]
 
 
@@ -94,6 +112,12 @@ def applies(effect: str, mechanism: str) -> list[str]:
     robot = example(mechanism)
     of = load_mechanism(mechanism) if robot is None else mechanism_of(robot)
     return lacking(effect, of, {} if robot is None else of.moves(robot), {} if robot is None else of.roles(robot))
+
+
+def seen_by(kind: Kind) -> Robot:
+    """Return a machine on which a kind of measurement is shown: the first whose errors it sees, else the first."""
+    every = [robot for name in mechanism_names() if (robot := example(name)) is not None]
+    return next((robot for robot in every if kind.looks(mechanism_of(robot), 1, 1)), every[0])
 
 
 def title_of(mechanism: str) -> str:

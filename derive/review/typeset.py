@@ -206,16 +206,23 @@ def name(text: str, *, bold: bool = False) -> Math:
     return sub(base, shown)
 
 
+def transposed(of: Math) -> Math:
+    """Return a matrix transposed."""
+    return sup(of, op("⊤"))
+
+
 def vector(text: str) -> Math:
     """Return the name of a vector or matrix, bold.
 
-    ``d x`` is its differential, ``∂r/∂q`` one's derivative by another, ``r ×`` the matrix of the cross product with it,
-    ``[r]`` the same written as a matrix.
+    ``d x`` is its differential, ``∂r/∂q`` one's derivative by another, ``R⊤`` it transposed, ``r ×`` the matrix of the
+    cross product with it, ``[r]`` the same written as a matrix.
     """
     if text.startswith("d "):
         return row(words("d"), vector(text[2:]))
     if found := re.fullmatch(r"∂(.+)/∂(.+)", text):
         return partial(vector(found[1]), vector(found[2]))
+    if text.endswith("⊤"):
+        return transposed(vector(text[:-1]))
     if text.endswith(" ×"):
         return row(vector(text[:-2]), op("×"))
     if text.startswith("["):

@@ -204,6 +204,8 @@ def tidy(expr: sp.Expr) -> sp.Expr:
 
 # ---------------------------------------------------------------------------------------------------------- the reader
 
+TRANSPOSED = "⊤"
+
 
 class Reader:
     """Takes vectors, matrices and scalars apart into what is known by name.
@@ -216,6 +218,8 @@ class Reader:
         How a name is typeset.
     symbols : callable
         How a symbol is typeset, or None for the way of its name.
+    transposes : bool
+        Whether to look for matrices and rotations that are transposed, too.
     """
 
     def __init__(
@@ -224,11 +228,18 @@ class Reader:
         matrices: Mapping[str, sp.Matrix],
         shown: Callable[[str], Math],
         symbols: Shown = lambda s: None,
+        transposes: bool = False,
     ) -> None:
         self._dummies: dict[sp.Expr, sp.Symbol] = {}
         self._vectors = {n: self._plain(v).applyfunc(sp.expand) for n, v in vectors.items()}
-        self._matrices = {n: self._plain(m) for n, m in matrices.items()}
-        self._shown, self._symbols = shown, symbols
+        self._shown, self._symbols, self._transposes = shown, symbols, transposes
+        self._matrices: dict[str, sp.Matrix] = {}
+        for n, m in matrices.items():
+            self._matrices |= self._both(n, self._plain(m))
+
+    def _both(self, name: str, M: sp.Matrix) -> dict[str, sp.Matrix]:
+        """Return a matrix by its name, and transposed where such are looked for."""
+        return {name: M, f"{name}{TRANSPOSED}": M.T} if self._transposes else {name: M}
 
     def _plain(self, entries: sp.Matrix) -> sp.Matrix:
         """Return entries with applied functions as symbols, by which SymPy differentiates."""
@@ -251,9 +262,12 @@ class Reader:
             key = f"{short}{f.args}"
             if short in ROTATIONS.values() and key not in self._matrices:
                 whole = _opaque(short)(sp.Matrix(f.args))
-                self._matrices = {key: self._plain(whole), **self._matrices}
+                self._matrices = {**self._both(key, self._plain(whole)), **self._matrices}
 
     def _named(self, name: str, entries: sp.Matrix) -> Named:
+        if name.endswith(TRANSPOSED):
+            of = self._named(name.removesuffix(TRANSPOSED), entries.T)
+            return Named(name, sp.ImmutableMatrix(self._back(entries)), ts.transposed(of.shown))
         original = self._back(entries)
         f = next(iter(original.atoms(AppliedUndef)), None) if name not in self._vectors else None
         if f is not None and split(f)[0] in ROTATIONS.values() and name.startswith(split(f)[0]):

@@ -51,9 +51,9 @@ def kernels(
 def derivation(
     output: Annotated[Path, typer.Option("-o", "--output", help="FILE.html or FILE.md; a folder with --all")],
     model: Annotated[
-        str | None, typer.Argument(metavar="MODEL", help="e.g. delta/42, delta or backlash", show_default=False)
+        str | None, typer.Argument(metavar="MODEL", help="e.g. delta/42, backlash or distance", show_default=False)
     ] = None,
-    every: Annotated[bool, typer.Option("--all", help="all models and effects, with an index")] = False,
+    every: Annotated[bool, typer.Option("--all", help="all models, effects and measurements, with an index")] = False,
     as_json: Json = False,
 ) -> None:
     """Write the report for reviewers: every equation, its source, its checks (from a source checkout)."""

@@ -167,12 +167,13 @@ def derivation(model: str | None, output: Source, *, every: bool = False, progre
     Parameters
     ----------
     model : str
-        A model (``delta/42``), a mechanism (its largest model) or an effect.
+        A model (``delta/42``), a mechanism (its largest model), an effect (``backlash``), a kind of measurement
+        (``distance``) or ``method``.
     output : path
         ``.html`` or ``.md``, whose pictures are written beside it; with `every` a folder for all reports in HTML and
         an index.
     every : bool
-        All models of all mechanisms, and all effects.
+        All models of all mechanisms, all effects and all kinds of measurement.
 
     Raises
     ------
@@ -180,7 +181,7 @@ def derivation(model: str | None, output: Source, *, every: bool = False, progre
         No such model; or this is no source checkout, or SymPy is not installed.
     """
     if (model is None) != every:
-        raise UsageError("give a model, a mechanism or an effect, or else --all.")
+        raise UsageError("give a model, a mechanism, an effect or a measurement, or else --all.")
     root = _deriving("reports are made from a source checkout; this is an installed package.")
     target = Path(output)
     if model is not None:
