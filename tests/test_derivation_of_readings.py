@@ -8,11 +8,10 @@ import pytest
 import sympy as sp
 from test_derivation import numbers, value
 
-from deltacal_gen.app import commands
 from deltacal_gen.instrument.kinds import kind_of
 from derive import registry
-from derive.review import account, checks
-from derive.review.subjects import seen_by
+from derive.review import account, checks, reports
+from derive.review.subjects import seen_by, subject
 from derive.review.written import OPAQUE, Entries
 
 
@@ -31,12 +30,13 @@ def test_readings_are_shown_as_they_are_lowered(name: str) -> None:
             assert value(e, at) == pytest.approx(value(own, at), abs=1e-12)
 
 
-def test_a_report_of_readings_shows_the_instrument_and_checks_its_derivatives(tmp_path: Path) -> None:
+def test_a_report_of_readings_shows_the_instrument_and_checks_its_derivatives() -> None:
+    written = {}
+    for one, template, found in reports.made([subject("board_image"), subject("encoder")], lambda text: None):
+        for ending in ("html", "md"):
+            written |= reports.files(Path(f"{one.name}.{ending}"), template, found)
     for name in ("board_image", "encoder"):
-        files = [tmp_path / f"{name}.{ending}" for ending in ("html", "md")]
-        for file in files:
-            commands.derivation(name, file)
-        html, md = (file.read_text(encoding="utf-8") for file in files)
+        html, md = (written[Path(f"{name}.{ending}")] for ending in ("html", "md"))
         spec, told = registry.measurement(name), account.measurement(name)
         for formula in (*told["steps"], *told["readings"]):
             assert formula.mathml in html
@@ -48,9 +48,9 @@ def test_a_report_of_readings_shows_the_instrument_and_checks_its_derivatives(tm
             assert f"`{quantity.name}`" in md
         for column in (*spec.columns, *(q.name for q in spec.known)):
             assert f"`{column}`" in md
-    assert "by the unknowns the order is 2.0" in (tmp_path / "board_image.md").read_text(encoding="utf-8")
-    assert (tmp_path / "board_image-orders.svg").exists()
-    assert not (tmp_path / "encoder-orders.svg").exists()  # of rounding no picture is made
+    assert "by the unknowns the order is 2.0" in written[Path("board_image.md")]
+    assert Path("board_image-orders.svg") in written
+    assert Path("encoder-orders.svg") not in written  # of rounding no picture is made
 
 
 @pytest.mark.parametrize("name", registry.measurement_names())

@@ -1,7 +1,7 @@
 """Extremes of a ball's image in a camera on the platform (Traslosheros 2013, section 5.2).
 
-The ball's centre in the camera's frame is ``c = cay(w) F R^T (g + t - P)``: the camera turns and moves with the
-platform, the ball stands at `g` in {O}. A plane ``X = a Z`` through the optical centre touches the ball where
+The ball's centre in the camera's frame is ``c = cay(w) F r``, where ``r = R^T (g + t - P)``: the camera turns and moves
+with the platform, the ball stands at `g` in {O}. A plane ``X = a Z`` through the optical centre touches the ball where
 ``(c_x - a c_z)^2 = R^2 (1 + a^2)`` (equation (11)); of all rays that touch the ball those in the two planes reach
 furthest in x, so the extremes of the image follow without a detour over its ellipse. Each touches at
 ``y = c_y (1 + a^2) / (c_z + a c_x)``.
@@ -27,14 +27,14 @@ t = vector(*sp.symbols("tx ty tz", real=True))
 fu, fv, u0, v0, k1, dk1, radius = sp.symbols("fu fv u0 v0 k1 dk1 radius", real=True)
 order_u, order_v = sp.symbols("order_u order_v", real=True)
 
-c = vector(*sp.symbols("c_x c_y c_z", real=True))
+r, c = (vector(*sp.symbols(" ".join(f"{name}_{axis}" for axis in "xyz"), real=True)) for name in "rc")
 k = sp.Symbol("k", real=True)
 
 
 def measurement(v: Algebra) -> Measurement:
     """Return the kind of measurement, its rotations written in an algebra."""
-    ball = v.cayley(w) * F * (v.cayley(X.turn) * X.rotation).T * (g + t - X.position)  # in the camera's frame
-    steps = [*zip(c, ball, strict=True), (k, k1 + dk1)]
+    from_platform = (v.cayley(X.turn) * X.rotation).T * (g + t - X.position)
+    steps = [*zip(r, from_platform, strict=True), *zip(c, v.cayley(w) * F * r, strict=True), (k, k1 + dk1)]
 
     def extreme(name: str, along: sp.Expr, across: sp.Expr, side: sp.Expr) -> sp.Expr:
         """Return an extreme of the distorted image, `along` the axis in question, in units of the focal length."""
