@@ -280,6 +280,41 @@ def test_a_base_may_hang_beside_the_arm(tmp_path: Path) -> None:
         imported(tmp_path, text, tip="base")
 
 
+def beside(joints: Sequence[Drawn], at: str) -> str:
+    """Return another chain of links r0, r1, ..., r0 fixed to l0."""
+    links = urdf(joints).replace("'l", "'r").replace("'j", "'k").split("\n", 2)[2]
+    return links.replace("</robot>", fixed("r0", "l0", at))
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_a_chain_may_go_up_before_it_goes_down(tmp_path: Path, seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    leg = weighing(rng, drawn(rng, ["anyhow", "parallel", "anyhow"], ["revolute", SLIDES, "revolute"], seed % 2 == 1))
+    hand = drawn(rng, ["anyhow", "meeting"], ["revolute", "continuous"], True)
+    text = urdf(leg, beside(hand, "0.1 0.2 0.3"))
+    robot = imported(tmp_path, text, base=f"l{len(leg)}", tip=f"r{len(hand)}")
+    q, hung = rng.uniform(-1, 1, (5, 5)), np.array([0.1, 0.2, 0.3])
+    machine = mechanism_of(robot)
+    slides = np.array([1.0, 1000.0, 1.0, 1.0, 1.0])
+    x, _ = machine.forward(q * slides * robot.joint_sign, robot.tool, machine.rows(robot))
+    for row, found in zip(q, x, strict=True):
+        (foot, turn), (tip, tilt) = ((p[-1], R[-1]) for p, R in (placed(leg, row[2::-1]), placed(hand, row[3:])))
+        np.testing.assert_allclose(found[:3], 1000 * turn.T @ (tip + hung - foot), rtol=0, atol=1e-9)
+        np.testing.assert_allclose(found[3:].reshape(3, 3), turn.T @ tilt, rtol=0, atol=1e-12)
+    with pytest.raises(UsageError, match="does not carry 'l0'"):
+        dc.import_urdf(tmp_path / "arm.urdf", base=f"l{len(leg)}", tip="l0")
+    told = dc.import_urdf(tmp_path / "arm.urdf", base=f"l{len(leg)}", tip=f"r{len(hand)}").warnings[0]
+    assert "the chain first goes up through what carries it, j" in told
+
+
+def test_what_is_passed_upwards_carries_what_it_hung_on(tmp_path: Path) -> None:
+    rng = np.random.default_rng(3)
+    leg, hand = (weighing(rng, arm(n)) for n in (3, 2))
+    robot = imported(tmp_path, urdf(leg, beside(hand, "0 0 0")), base="l3", tip="r2")
+    bodies = [link.mass for link in robot.links if link.kind != "fixed"]
+    assert bodies == pytest.approx([leg[1].mass, leg[0].mass, 0.0, hand[0].mass, hand[1].mass])
+
+
 def test_a_joint_that_follows_another_is_coupled(tmp_path: Path) -> None:
     joints = arm(4)
     joints[2].more = "<mimic joint='j1' multiplier='-0.5' offset='0.2'/>"

@@ -44,7 +44,7 @@ def import_urdf(
     output : path, optional
         Folder for robot.toml.
     base : str, optional
-        The link whose frame becomes {O}; default the root. Between it and the first joint everything is fixed.
+        The link whose frame becomes {O}; default the root. It stands still: joints above it are passed upwards.
     tip : str, optional
         The link whose frame becomes that of the last link; default the one with most joints before it.
 
@@ -60,6 +60,9 @@ def import_urdf(
     _check(chain)
     rows = rows_of(*chain.lines, chain.frames[-1])
     tables, warnings = _tables(chain, rows)
+    if upwards := ", ".join(joint.name for joint in chain.moving if joint.child not in tree.bodies):
+        told = f"'{chain.base}' is taken to stand still: the chain first goes up through what carries it, {upwards}."
+        warnings = (told, *warnings)
     text = _commented(toml_text(tables), chain, rows)
     try:
         robot = robot_from_dict(tomllib.loads(text))
@@ -164,11 +167,15 @@ def _chain(tree: Tree, base: str | None, tip: str | None) -> _Chain:
     tree.check_link(tip, "--tip")
     start = tree.root_of(tip) if base is None else base
     found = _between(tree, start, tip)
+    up = {joint.name for joint in tree.climb(start)}
+    aside = any(joint.moves and joint.name not in up for joint in tree.climb(tip))
+    if found is None and aside and tree.root_of(start) == tree.root_of(tip):
+        found = _between(tree.hung(start), start, tip)
     if found is not None:
         return found
     raise UsageError(
-        f"{tree.path}: link '{start}' does not carry '{tip}': --base names a link that stands still before the first "
-        "joint, --tip one behind the last."
+        f"{tree.path}: link '{start}' does not carry '{tip}': --base names the link that stands still, --tip one "
+        "behind the last joint."
     )
 
 

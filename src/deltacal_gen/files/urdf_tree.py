@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from copy import copy
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from xml.parsers import expat
 
@@ -162,6 +163,26 @@ class Tree:
     def root_of(self, link: str) -> str:
         """Return the link from which all joints to this one lead."""
         return [link, *(joint.parent for joint in self.climb(link))][-1]
+
+    def hung(self, base: str) -> Tree:
+        """Return the same machine hung on another link: what leads from that up to the root is turned round.
+
+        A joint that is passed upwards turns its parent the other way, about where its child is; what it reads stays.
+        """
+        out, turned = copy(self), list(self.climb(base))
+        passed = {joint.name for joint in turned}
+        joints = [joint for joint in self.above.values() if joint.name not in passed]
+        out.bodies = dict(self.bodies)
+        for joint in turned:
+            seat = f"{joint.parent} at {joint.name}"
+            out.bodies[seat] = None
+            joints.append(replace(joint, parent=joint.child, child=seat, origin=np.eye(4), axis=-joint.axis))
+            back = np.linalg.inv(joint.origin).astype(np.float64)
+            fixed = replace(joint, name=seat, kind="fixed", parent=seat, child=joint.parent, mimics=None)
+            joints.append(replace(fixed, origin=back))
+        out.above = {joint.child: joint for joint in joints}
+        out.below = {link: [joint for joint in joints if joint.parent == link] for link in out.bodies}
+        return out
 
     def check_link(self, link: str, option: str) -> None:
         """Raise UsageError where there is no link of a name."""
