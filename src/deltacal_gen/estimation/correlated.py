@@ -110,7 +110,7 @@ class Correlated(ABC):
         both -= Q @ (Q.T @ both)
         A, e = both[:, :-1], both[:, -1]
         A, inner = np.linalg.qr(A)
-        U, root, V = np.linalg.svd(inner)
+        U, root, V = np.linalg.svd(inner, full_matrices=False)  # a part may have fewer readings than columns
         seen = root > UNSEEN * root.max(initial=0.0)  # of joints without a drawing the instrument alone is unknown
         A, root = A @ U[:, seen], root[seen]
         along, size = A.T @ e, root**2
