@@ -11,7 +11,7 @@ from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.diagnosis.refits import refitted
 from deltacal_gen.estimation.fit import fit, held_out
 from deltacal_gen.estimation.problem import pose_problem
-from deltacal_gen.estimation.series import FADES, OWN, OWN_PRICE, Series, Taken
+from deltacal_gen.estimation.series import FADES, OWN, OWN_PRICE, STILL, Series, Taken
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.identification.answer import Identification
 from deltacal_gen.identification.folds import folds
@@ -46,6 +46,38 @@ def test_what_is_freed_has_unit_covariance(rho: float, own: float) -> None:
 def test_components_are_freed_alike() -> None:
     series, values = Series(ORDER, GAP, 0.8, 0.2), np.random.default_rng(1).standard_normal((7, 2, 3))
     assert series.freed(values)[:, 1, 2] == pytest.approx(series.freed(values[:, 1, 2]))
+
+
+def test_points_of_a_pose_share_what_the_machine_stands_off_by() -> None:
+    gap = np.array([np.inf, STILL, STILL, 1, STILL, 2, STILL])
+    series = Series(np.arange(7), gap, 0.5, 0.2)
+    pose = np.array([0, 0, 0, 1, 1, 3, 3])
+    covariance = 0.8 * 0.5 ** np.abs(pose[:, None] - pose) + 0.2 * np.eye(7)
+    W = series.freed(np.eye(7))
+    assert W @ covariance @ W.T == pytest.approx(np.eye(7), abs=0.01)
+    assert series.points == pytest.approx(7 / 3)
+    assert "the points of a pose have 80% of the noise's variance in common" in series.text
+    rng = np.random.default_rng(4)
+    made = np.repeat(rng.standard_normal((60, 3)), 3, axis=0) + 0.5 * rng.standard_normal((180, 3))
+    gap = np.tile([1.0, STILL, STILL], 60)
+    gap[0] = np.inf
+    found, _ = Series(np.arange(180), gap).likeliest(made)
+    assert found.own == pytest.approx(0.2, abs=0.05)
+    assert found.rho < 0.3
+    assert found.rows == pytest.approx(2.6, rel=0.5)
+    assert dataclasses.replace(found, rho=0.0).rows == 1.0
+
+
+def test_a_part_may_hold_fewer_readings_than_parameters() -> None:
+    n, k = 9, 14
+    rng = np.random.default_rng(8)
+    known, z = rng.standard_normal((n, 1, k)), rng.standard_normal((n, 1))
+    toward, whole = rng.standard_normal(k), Series(np.arange(n), np.concatenate([[np.inf], np.ones(n - 1)]))
+    found = whole.deviance(z, Taken(known, toward, np.zeros((n, 1, 0))))
+    square = np.column_stack([known[:, 0], np.zeros((n, 0))])
+    U, root, V = np.linalg.svd(square, full_matrices=False)
+    as_many = Taken((U * root)[:, None], V @ toward, np.zeros((n, 1, 0)))  # the same, in columns that are independent
+    assert found == pytest.approx(whole.deviance(z, as_many))
 
 
 @pytest.mark.parametrize(("sort", "rho", "n"), [("AR 0.5", 0.5, 140), ("AR 0.9", 0.9, 480), ("AR 0.95", 0.95, 880)])
@@ -109,6 +141,22 @@ def test_what_each_row_has_of_its_own_is_told_apart() -> None:
     found, _ = Series(np.arange(400), np.concatenate([[np.inf], np.ones(399)])).likeliest(z)
     assert found.rho == pytest.approx(0.95, abs=0.03)
     assert found.own == pytest.approx(0.2, abs=0.08)
+
+
+@pytest.mark.parametrize("k", [0, 1, pytest.param(2, marks=pytest.mark.thorough)])
+def test_a_machine_that_does_not_repeat_lacks_nothing(k: int) -> None:
+    """Three points are read where it stands, each time somewhat elsewhere: all three are off alike."""
+    rng = np.random.default_rng([k, 9])
+    pose = np.arange(150) // 3
+    joints = np.degrees(record(ROBOT, n=150, seed=300 + k, sigma=0.0).joints)[pose]
+    tool = np.array([[40.0, 0.0, -60.0], [-20.0, 35.0, -60.0], [-20.0, -35.0, -90.0]])[np.arange(150) % 3]
+    errors = plausible(DELTA, k, size=0.3)
+    made = record(ROBOT, n=150, seed=k, errors=errors, sigma=0.004, declared=False, joints=joints, tool=tool)
+    made = dataclasses.replace(made, measured=made.measured + 0.03 * rng.standard_normal((50, 3))[pose])
+    found = diagnose(ROBOT, made).answer()
+    assert (found.verdict, found.effects, found.hints) == ("adequate", (), ())
+    assert found.search.p_value > 0.005
+    assert "of the noise's variance in common" in found.noise.model.text
 
 
 @pytest.mark.parametrize("k", [0, pytest.param(3, marks=pytest.mark.thorough)])

@@ -29,7 +29,7 @@ STEERING = {
     "estimation.residuals": ("HUBER", "MOST_GROSS", "MOST_APART", "APART", "FEWEST_APART", "GROSS"),
     "estimation.turns": ("TURNED",),
     "estimation.directions": ("CHANCE", "FEWEST"),
-    "estimation.series": ("LONGEST", "OWN_PRICE", "TWICE"),
+    "estimation.series": ("LONGEST", "OWN_PRICE", "TWICE", "STILL"),
     "estimation.saddles": ("SEEN", "ASIDE", "LINEAR", "LOOKS", "FORESEEN", "SURE"),
     "estimation.system": ("STRONG",),
     "estimation.steps": ("EASE", "WEAK", "FIRST", "TRUE", "MORE", "LONGER"),

@@ -1,8 +1,9 @@
 """Noise that hangs together from row to row: a part that fades, and a part that is each row's own.
 
 Of two readings `d` rows apart the noise has the correlation ``(1 - own) rho^d``: an instrument that wanders, read with
-noise. Rows are freed of the first as Prais and Winsten (1954) do, which leaves the second with a covariance of three
-diagonals; its factor takes that off too. All of it costs a few passes over the rows.
+noise. Points that are read one after another while the machine stands are no row apart: where it stands wrongly, all of
+them are off. Rows are freed of the first as Prais and Winsten (1954) do, which leaves the second with a covariance of
+three diagonals; its factor takes that off too. All of it costs a few passes over the rows.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ import numpy as np
 from deltacal_gen.estimation.correlated import DEFINITE, Correlated, Taken
 from deltacal_gen.instrument.kind import Readings
 from deltacal_gen.machine.registry import Array
-from deltacal_gen.machine.values import Recording
+from deltacal_gen.machine.values import Recording, numbered
 
 LONGEST = 1e-3  # 1 - rho of neighbours: within any recording that is a walk
 FADES = (0.0, *np.linspace(-0.2, np.log(LONGEST), 12).tolist())  # log(1 - rho) that are tried
@@ -27,6 +28,15 @@ OWN_PRICE = 6.6  # of the deviance: what a part of each row's own must explain; 
 TWICE = 2.0  # times that a set-up shows what fades: what it shows less often goes from one end of it to the other
 SORTED = 0.2  # of the rows of a file, that are earlier than the one before: it is not in the order of reading
 FAINT = 1e-6  # weight below which a reading counts for nothing
+STILL = 1e-3  # rows between points of one pose: none, but for what keeps their covariance from being singular
+
+
+def points_of_a_pose(found: Readings, recording: Recording) -> np.ndarray | None:
+    """Return where the machine stood at each reading (R,), by number; None where no other point of it was read."""
+    rows, tool = found.rows[:, 0], recording.tool
+    if found.rows.shape[1] != 1 or tool is None or not np.ptp(np.nan_to_num(tool[rows]), axis=0).any():
+        return None
+    return numbered(np.round(np.column_stack([recording.joints, recording.setup]), 9)[rows])
 
 
 def sequence(found: Readings, recording: Recording) -> np.ndarray:
@@ -56,9 +66,10 @@ class Series(Correlated):
     order : (R,) int array
         Readings, set-up by set-up.
     gap : (R,) array
-        Rows of the file since the one before; infinite for the first of a set-up.
+        Rows of the file since the one before; infinite for the first of a set-up, hardly any for a further point of a
+        pose.
     rho : float
-        Correlation from row to row of the part that fades.
+        Correlation from row to row of the part that fades; from pose to pose, where each is of several points.
     own : float
         Part of the variance that is each row's own.
     weight : (R,) array, optional
@@ -81,6 +92,8 @@ class Series(Correlated):
         order = np.lexsort((place, found.setup))
         same = np.diff(found.setup[order]) == 0
         gap = np.where(same, np.maximum(np.diff(place[order]), 1), np.inf)
+        if (pose := points_of_a_pose(found, recording)) is not None:
+            gap[same & (np.diff(pose[order]) == 0)] = STILL
         return Series(order, np.concatenate([[np.inf], gap]))
 
     def like(self, other: Correlated) -> Series:
@@ -90,13 +103,26 @@ class Series(Correlated):
     @property
     def text(self) -> str:
         """How the noise of rows hangs together, in words."""
+        if self.points > 1:
+            words = f"the points of a pose have {1 - self.own:.0%} of the noise's variance in common"
+            return f"{words} (correlation {self.rho:.2f} from pose to pose)"
         words = f"the noise hangs together over {self.rows:.0f} rows (correlation {self.rho:.2f} from row to row"
         return words + (f", beside {self.own:.0%} of its variance that is each row's own)" if self.own else ")")
+
+    @cached_property
+    def points(self) -> float:
+        """Rows that are read of a pose, in the mean."""
+        return len(self.gap) / max(float((self.gap > STILL).sum()), 1.0)
 
     @property
     def rows(self) -> float:
         """So many rows tell as much of a mean as one whose noise is its own; all of a set-up at most."""
-        return min(1 + 2 * (1 - self.own) * self.rho / (1 - self.rho), self.rows_of_a_set_up)
+        return min(self._alike(self.rho, 1 - self.own), self.rows_of_a_set_up)
+
+    def _alike(self, rho: float, shared: float) -> float:
+        """Return the sum of a row's correlations with all, itself among them."""
+        beside = (self.points - 1) * (self.rho > 0)
+        return 1 + shared * (beside + 2 * self.points * rho / (1 - rho))
 
     @property
     def lasts(self) -> bool:
@@ -106,7 +132,7 @@ class Series(Correlated):
     @property
     def rows_of_size(self) -> float:
         """So many rows tell as much of the size of noise as one whose noise is its own; all of a set-up at most."""
-        return min(1 + 2 * (1 - self.own) ** 2 * self.rho**2 / (1 - self.rho**2), self.rows_of_a_set_up)
+        return min(self._alike(self.rho**2, (1 - self.own) ** 2), self.rows_of_a_set_up)
 
     @property
     def within(self) -> float:
@@ -220,7 +246,8 @@ class Series(Correlated):
             at = dataclasses.replace(self, rho=1 - float(np.exp(fades)), own=own)
             return at.deviance(z, taken) + OWN_PRICE * (own > 0), fades, own
 
-        best = min(tried(fades, 0.0) for fades in FADES)
+        starts = (0.0, *OWN) if self.points > 1 else (0.0,)  # what points of a pose share is told from their own noise
+        best = min(tried(fades, own) for fades in FADES for own in starts)
         if best[1]:
             k = FADES.index(best[1])
             for own in OWN:  # noise that is each row's own makes the rest fade more slowly: the best is near the last

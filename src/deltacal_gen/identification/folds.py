@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from deltacal_gen.estimation.ends import points_of
-from deltacal_gen.estimation.series import sequence
+from deltacal_gen.estimation.series import points_of_a_pose, sequence
 from deltacal_gen.instrument.kind import Readings
 from deltacal_gen.instrument.sampled import at_rate, runs_of
-from deltacal_gen.machine.values import Recording, numbered
+from deltacal_gen.machine.values import Recording
 
 FOLDS = 5
 LEAST_RUNS = 3  # of a recording in motion, so that whole runs are held out
@@ -58,11 +58,8 @@ def stands(found: Readings, recording: Recording) -> np.ndarray:
     What a model lacks at a pose moves all its points alike: none of them judges what was fitted to another. Of fewer
     poses than parts points are all there is to part. Readings of two rows are grouped as they are.
     """
-    rows, tool = found.rows[:, 0], recording.tool
-    if found.rows.shape[1] != 1 or tool is None or not np.ptp(np.nan_to_num(tool[rows]), axis=0).any():
-        return found.group
-    stand = numbered(np.round(np.column_stack([recording.joints, recording.setup]), 9)[rows])
-    return stand if len(np.unique(stand)) >= FOLDS else found.group
+    stand = points_of_a_pose(found, recording)
+    return found.group if stand is None or len(np.unique(stand)) < FOLDS else stand
 
 
 def _stretches(found: Readings, recording: Recording) -> np.ndarray:
