@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import dataclasses
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+from deltacal_gen.app.demonstration import example
 from deltacal_gen.diagnosis.laws.ground import Ground, Tried
 from deltacal_gen.diagnosis.laws.profile import LEAST, damped, refine
 from deltacal_gen.diagnosis.laws.remainder import with_remainder
@@ -19,6 +21,9 @@ from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.estimation.residuals import rms
 from deltacal_gen.estimation.solvers import Prior
+from deltacal_gen.files.recording import read_recording
+from deltacal_gen.files.robot import read_robot
+from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.physics import grammar
 from deltacal_gen.physics.terms import Term
 from tests.left_out import DELTA, SIGMA, channels, machine, record
@@ -227,6 +232,25 @@ def test_constants_that_do_the_same_or_nothing_have_a_step(size: float) -> None:
     A = size * np.column_stack([a, a, np.zeros(3)])
     step = damped(A.T @ A, A.T @ a, LEAST)
     assert step == pytest.approx([0.5 / size, 0.5 / size, 0.0], rel=1e-6)
+
+
+@pytest.mark.parametrize(("kind", "read"), [("height", False), ("position", True)])
+def test_a_law_of_where_a_surface_is_touched_reads_no_height(tmp_path: Path, kind: str, read: bool) -> None:
+    """All touches read the same: to move the machine by the height that it believes in undoes any misfit at all."""
+    robot = read_robot(example("linear_delta") / "robot.toml")
+    printer, rng = mechanism_of(robot), np.random.default_rng(5)
+    bed = np.column_stack([rng.uniform(-60, 60, (40, 2)), np.zeros(40)])
+    q = printer.inverse(bed, robot.tool, printer.rows(robot))[0] + 0.5 * rng.standard_normal((40, 3))
+    cells = np.hstack([q / robot.joint_sign, bed[:, 2:] if kind == "height" else bed])
+    names = ["height_mm"] if kind == "height" else ["x_mm", "y_mm", "z_mm"]
+    file = tmp_path / "recording.csv"
+    header = ",".join(["q1_mm", "q2_mm", "q3_mm", *names])
+    np.savetxt(file, cells, delimiter=",", header=header, comments="")
+    (tmp_path / "recording.toml").write_text(f'[measurement]\nkind = "{kind}"\n')
+    problem = pose_problem(robot, read_recording(file, printer), ("endstop_1", "endstop_2", "endstop_3"))
+    states = Ground(fit(problem, Prior(), must_converge=False)).states
+    assert ("z" in states) is read
+    assert {"x", "y"} <= set(states)
 
 
 def test_a_law_found_elsewhere_is_read_where_its_state_and_place_are_others(monkeypatch: pytest.MonkeyPatch) -> None:

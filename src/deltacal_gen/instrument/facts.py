@@ -67,6 +67,8 @@ class Facts:
         Whether the instrument's unknowns follow the machine along arcs, so that they are fitted again after each step.
     picked : bool
         Whether readings are points found in images one by one, some of them wrongly.
+    touched : tuple of str
+        Coordinates of the platform in which a surface is touched: there what the machine believes is the misfit itself.
     probed : bool
         Whether a machine's own firmware takes such readings: a few, of roughly known noise.
     usual_noise : float
@@ -91,6 +93,7 @@ class Facts:
     in_motion: ClassVar[bool] = False
     follows: ClassVar[bool] = False
     picked: ClassVar[bool] = False
+    touched: ClassVar[tuple[str, ...]] = ()
     probed: ClassVar[bool] = False
     usual_noise: ClassVar[float] = 0.1  # a caliper's
     second_point: ClassVar[bool] = False

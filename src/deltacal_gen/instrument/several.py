@@ -68,6 +68,11 @@ class Several(Kind):
         return ()
 
     @property
+    def touched(self) -> tuple[str, ...]:  # type: ignore[override]  # of one kind it is the class's
+        """Coordinates in which any of the kinds touches a surface."""
+        return tuple(dict.fromkeys(name for kind in self.kinds for name in kind.touched))
+
+    @property
     def probed(self) -> bool:  # type: ignore[override]  # of one kind it is the class's
         """Whether some of the readings are a firmware's."""
         return any(kind.probed for kind in self.kinds)

@@ -135,11 +135,15 @@ class Ground:
 
     @cached_property
     def states(self) -> dict[str, Array]:
-        """States at the readings, (R, limbs) of each limb's own, (R,) of all else: those that vary, each once."""
+        """States at the readings, (R, limbs) of each limb's own, (R,) of all else: those that vary, each once.
+
+        Where the machine touches something it stands where that is: a law of where it believes to be undoes any misfit.
+        """
         problem, machine = self.problem, self.beside.machine
         numbers = range(1, problem.mechanism.limbs + 1)
         names = [*OWN, *(f"{s}_{j}" for s in OTHERS for j in numbers), *_channels(problem), *PLACE]
-        names = [n for n in dict.fromkeys(names) if not _missing(problem, n)]
+        touched = problem.readings.kind.touched
+        names = [n for n in dict.fromkeys(names) if not _missing(problem, n) and n not in touched]
         found = self._read = problem.body.state(names, machine.x, machine.q, machine.rows)
         out: dict[str, Array] = {}
         for name in names:

@@ -39,6 +39,7 @@ class Contact(Kind):
     formulas: ClassVar[str] = "position"
     anew: ClassVar[bool] = True
     follows: ClassVar[bool] = True
+    touched: ClassVar[tuple[str, ...]] = ("x", "y", "z", "radius")
     whereabouts: ClassVar[str] = "where the touched points lie"
     rotation_beside: ClassVar[bool] = False  # who touches points has no instrument that reads it
 

@@ -20,6 +20,7 @@ from deltacal_gen.machine.values import Recording, poses_of
 class Height(Kind):
     """Heights above the bed."""
 
+    touched: ClassVar[tuple[str, ...]] = ("z",)
     probed: ClassVar[bool] = True
     usual_noise: ClassVar[float] = 0.02  # a bed probe's
     distances_beside: ClassVar[bool] = True
