@@ -14,9 +14,11 @@ from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem, pose_problem
 from deltacal_gen.estimation.residuals import Repeats, lengths, rms
 from deltacal_gen.estimation.solvers import TSVD, LeastSquares, Prior
+from deltacal_gen.estimation.steps import Damped
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.instrument.kind import Instrument
 from deltacal_gen.instrument.kinds import kind_of
+from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.machine.registry import Machine
 from deltacal_gen.machine.rotation import from_vector, to_vector
 from deltacal_gen.machine.values import Recording
@@ -98,6 +100,26 @@ def test_noise_is_estimated_from_what_the_fit_leaves(robot: Robot, mechanism: Ma
     sigma = np.sqrt(np.mean([f.sigma[0] ** 2 for f in found]))
     assert sigma == pytest.approx(NOISE, rel=0.05)  # 20 fits of 93 degrees of freedom: 1.6 %
     assert all(f.rms() < f.sigma[0] for f in found)  # the residuals have lost 24 of 117 degrees of freedom
+
+
+@pytest.mark.parametrize("size", [1e30, 1e160, 1e300])
+def test_a_step_beyond_all_numbers_is_taken_back(
+    robot: Robot, mechanism: Machine, truth: dict[str, float], monkeypatch: pytest.MonkeyPatch, size: float
+) -> None:
+    """Without a word of NumPy's about what the machine is there."""
+    problem, steps = pose_problem(robot, clean(robot, truth, "position"), mechanism.model("18")), Damped.step
+    far = iter([size, size])
+
+    def step(self: Damped, damping: float) -> tuple[np.ndarray, np.ndarray]:
+        s, t = steps(self, damping)
+        return s * next(far, 1.0), t
+
+    with using(Backend.NUMPY):
+        there = fit(problem)
+        monkeypatch.setattr(Damped, "step", step)
+        again = fit(problem)
+    assert next(far, None) is None
+    assert again.errors == pytest.approx(there.errors, abs=1e-6)
 
 
 def test_no_figure_depends_on_the_words_of_a_prior(robot: Robot, mechanism: Machine, truth: dict[str, float]) -> None:

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from deltacal_gen.diagnosis.beside import Beside
-from deltacal_gen.diagnosis.charges import best_set, gains
+from deltacal_gen.diagnosis.charges import SMALLEST, UNSEEN, best_set, gains
 from deltacal_gen.diagnosis.components import Components, of_noise, with_fitted
 from deltacal_gen.diagnosis.diagnosis import _first, _geometry
 from deltacal_gen.diagnosis.library import library
@@ -102,6 +102,21 @@ def test_every_machine_with_all_it_may_have_is_searched(name: str, kind: str) ->
     again = Search(beside, search.terms)
     assert np.isfinite(again.freed(0).gain(again.freed(0).where(best)))
     assert np.isfinite(deviance_of(beside))
+
+
+def test_gains_are_those_of_the_directions_that_are_seen() -> None:
+    """Whether all are, and one solve is enough, some are not, or none."""
+    rng = np.random.default_rng(3)
+    for k in (1, 2, 3, 6):
+        A = rng.standard_normal((300, 9, k)) * 10.0 ** -rng.integers(0, 6, (300, 1, k))
+        A[::7, :, 0] = 0.0
+        A[1::7, :, -1] = A[1::7, :, 0] * (1 + 1e-6 * rng.standard_normal((len(A[1::7]), 9)))
+        A /= np.maximum(np.linalg.norm(A, axis=1, keepdims=True).max(axis=2, keepdims=True), 1e-12)
+        G, b = A.transpose(0, 2, 1) @ A, np.einsum("mij,mi->mj", A, rng.standard_normal((300, 9)))
+        for one, own, gain in zip(G, b, gains(G, b), strict=True):
+            seen = np.flatnonzero(np.diagonal(one) > UNSEEN)
+            inverse = np.linalg.pinv(one[np.ix_(seen, seen)], rcond=SMALLEST, hermitian=True)
+            assert gain == pytest.approx(own[seen] @ inverse @ own[seen], rel=1e-5, abs=1e-12)
 
 
 def test_no_columns_explain_more_than_there_is() -> None:

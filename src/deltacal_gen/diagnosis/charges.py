@@ -54,7 +54,8 @@ def _all_seen(G: Array) -> np.ndarray:
     """
     k, each = G.shape[1], np.diagonal(G, axis1=1, axis2=2)
     trace = np.maximum(each.sum(axis=1), UNSEEN)
-    least = np.linalg.det(G) * ((k - 1) / trace) ** (k - 1)
+    with np.errstate(divide="ignore"):  # of singular ones: by logarithms
+        least = np.linalg.det(G) * ((k - 1) / trace) ** (k - 1)
     return np.asarray((each > UNSEEN).all(axis=1) & (least > 2 * SMALLEST * trace))
 
 

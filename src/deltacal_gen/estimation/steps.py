@@ -123,6 +123,7 @@ class Damped:
         return self._free @ z[: self._n], z[self._n :]
 
 
+@np.errstate(over="ignore", invalid="ignore")  # of steps that lead beyond all numbers: they are not taken
 def improved(
     problem: Problem,
     state: State,
