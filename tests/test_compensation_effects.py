@@ -66,6 +66,23 @@ def test_the_command_brings_the_machine_with_the_effect_to_the_target(name: str)
     assert np.abs(compensator.reached(geometry_alone, None, at)[0] - wanted_at[:, :3]).max() > 0.05
 
 
+@pytest.mark.parametrize("robot", [machines()[0], machines()[2]], ids=["loops", "chain"])
+def test_commands_of_a_machine_that_remembers_count_those_before_them(robot: Robot) -> None:
+    """A joint is drawn along by where it was: a command moves all that come after it."""
+    text, n = "law joint = c1*(Lag(q, c2) - q)", 40
+    drawn = Term(text, (2,), np.full((1, 1), 2e-3), (500.0, *(-1e9, 1e9) * len(load_effect(text).STATE)))
+    compensator, wanted_at = Compensator(robot, terms=(drawn,)), targets(robot, n, 1)
+    at, _ = compensator.channels({"time_s": np.random.default_rng(2).uniform(0, 4000, n)}, n)
+    joints, status = compensator.command(wanted_at, None, at)
+    assert (status == SOLVED).all()
+    reached = compensator.pose(joints, None, at)[0]
+    assert np.abs(compensator.mechanism.missed(reached, wanted_at)[:, :3]).max() < 2 * SETTLED_MM
+    rigid = Compensator(robot).command(wanted_at)[0]
+    assert np.abs(joints - rigid).max() > 1e-4
+    without_time = compensator.command(wanted_at)[0]  # then each stands alone
+    np.testing.assert_allclose(without_time, rigid, rtol=0, atol=1e-9)
+
+
 def test_a_large_shift_of_a_joint_is_undone_in_steps_that_double_the_digits(
     machine: Robot, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -231,6 +231,14 @@ def test_rotation_vectors_survive_up_to_half_a_turn(angle: float) -> None:
     assert back == pytest.approx(v, abs=2e-8 if angle > 3.1 else 1e-14)
 
 
+def test_rotations_that_are_none_have_no_vector_and_spoil_no_others() -> None:
+    """As of poses that no machine reaches, beside half turns, which are taken by another way."""
+    wanted = np.array([[0.1, -0.2, 0.3], [0.0, 0.0, 3.1]])
+    found = to_vector(np.concatenate([from_vector(wanted), np.full((1, 3, 3), np.nan)]))
+    assert found[:2] == pytest.approx(wanted, abs=1e-12)
+    assert np.isnan(found[2]).all()
+
+
 def test_a_cayley_vector_is_twice_the_tangent_of_half_the_angle() -> None:
     v = np.array([0.2, -0.1, 0.4])
     angle = np.linalg.norm(v)

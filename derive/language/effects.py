@@ -135,7 +135,7 @@ class Reference:
     Parameters
     ----------
     state, coefficients, constants : mapping
-        By name, in the units of the tables; memories among the states.
+        By name, in the units of the tables; memories among the states, as the formulas have them.
     moved : mapping
         By target, in mm or rad; a torque in N mm.
     """

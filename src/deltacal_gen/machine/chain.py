@@ -342,6 +342,7 @@ class Chain(Machine):
         drawn: Array | None = None,
         reach: Reach | None = None,
         *,
+        together: bool = False,
         out: Array | None = None,
     ) -> tuple[Array, np.ndarray]:
         """Return joints (N, n_q) that bring a machine to poses (N, 12) or positions (N, 3), starting from `near`.
@@ -358,6 +359,8 @@ class Chain(Machine):
         reach : callable, optional
             Poses (N, 12) and status (N,) of a machine with effects at joints of some of the targets, given with their
             indices.
+        together : bool
+            Whether none is done before all are: see `Machine.follow`.
 
         Notes
         -----
@@ -389,6 +392,7 @@ class Chain(Machine):
             # on the rim of its reach a chain has lost a direction, and what is missing lies along it
             ended &= (rank == directions) | (np.abs(miss[:, :3]).max(axis=1) < THERE_MM)
             wrong = reached != SOLVED
+            ended &= not together or bool((ended | wrong).all())
             status[open_[wrong]] = reached[wrong]
             status[open_[ended & ~wrong]] = SOLVED
             going = ~(ended | wrong)

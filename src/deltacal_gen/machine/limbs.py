@@ -332,6 +332,7 @@ class Limbs(Machine):
         drawn: Array | None = None,
         reach: Reach | None = None,
         *,
+        together: bool = False,
         out: Array | None = None,
     ) -> tuple[Array, np.ndarray]:
         """Return joints (N, n_q) that bring a machine to targets, with effects too, and the status (N,).
@@ -353,7 +354,10 @@ class Limbs(Machine):
             step = _solved(speed, miss)
             singular = ~np.isfinite(step).all(axis=1)
             status[open_] = np.where(reached != SOLVED, reached, np.where(singular, SINGULAR, SOLVED))
-            going = (status[open_] == SOLVED) & (np.abs(np.nan_to_num(miss)).max(axis=1) > SETTLED_MM)
+            solved = status[open_] == SOLVED
+            going = solved & (np.abs(np.nan_to_num(miss)).max(axis=1) > SETTLED_MM)
+            if together and going.any():
+                going = solved
             open_ = open_[going]
             q[open_] -= step[going]
         status[open_] = UNREACHABLE

@@ -422,6 +422,7 @@ class Machine(ABC):
         drawn: Array | None = None,
         reach: Reach | None = None,
         *,
+        together: bool = False,
         out: Array | None = None,
     ) -> tuple[Array, np.ndarray]:
         """Return joints (N, n_q) that bring a machine to targets, with effects too, and the status (N,).
@@ -435,8 +436,9 @@ class Machine(ABC):
         rows, drawn : (1, limbs, n) arrays
             Of the machine and, where that is another one, of the machine as drawn.
         reach : callable, optional
-            A machine with effects as it stands, and its status (N,), at joints of some of the targets, given with
-            their indices.
+            A machine with effects as it stands, and its status (N,), at joints of some targets, given by their index.
+        together : bool
+            Whether none is done before all are: an effect remembers how the machine came where it is.
         """
 
     @abstractmethod

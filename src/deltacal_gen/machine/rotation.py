@@ -68,19 +68,18 @@ def from_turns(order: str, angles: Array) -> Array:
 
 
 def to_vector(matrix: Array) -> Array:
-    """Return rotation vectors (..., 3) [rad] of rotation matrices (..., 3, 3)."""
+    """Return rotation vectors (..., 3) [rad] of rotation matrices (..., 3, 3); NaN where a pose has none."""
     matrix = np.asarray(matrix)
     axial = np.stack([matrix[..., 2, 1], matrix[..., 0, 2], matrix[..., 1, 0]], axis=-1) / 2
     axial -= np.stack([matrix[..., 1, 2], matrix[..., 2, 0], matrix[..., 0, 1]], axis=-1) / 2
     sin, cos = np.linalg.norm(axial, axis=-1), (np.trace(matrix, axis1=-2, axis2=-1) - 1) / 2
-    if (cos > -0.9).all():  # away from half turns the axis is plain; near them it is SciPy's
-        with np.errstate(invalid="ignore", divide="ignore"):
-            stretch = np.where(sin > 1e-300, np.arctan2(sin, cos) / sin, 1.0)
-        short: Array = axial * stretch[..., None]
-        return short
-    from scipy.spatial.transform import Rotation
+    with np.errstate(invalid="ignore", divide="ignore"):
+        stretch = np.where(sin > 1e-300, np.arctan2(sin, cos) / sin, 1.0)
+    vector: Array = axial * stretch[..., None]
+    if (half := cos <= -0.9).any():  # away from half turns the axis is plain; near them it is SciPy's
+        from scipy.spatial.transform import Rotation
 
-    vector: Array = Rotation.from_matrix(matrix).as_rotvec()
+        vector[half] = Rotation.from_matrix(matrix[half]).as_rotvec()
     return vector
 
 

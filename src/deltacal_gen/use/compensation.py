@@ -47,7 +47,7 @@ from deltacal_gen.physics.channels import Channels, complete_channels
 from deltacal_gen.physics.deformed import Deformed
 from deltacal_gen.physics.law import is_law
 from deltacal_gen.physics.ranges import outside
-from deltacal_gen.physics.terms import Term, kept_term, of_the_instrument
+from deltacal_gen.physics.terms import Term, kept_term, of_the_instrument, remembers
 from deltacal_gen.results.diagnosis import Diagnosis
 from deltacal_gen.results.result import Result
 from deltacal_gen.units import file_unit, to_internal
@@ -273,6 +273,11 @@ class Compensator:
         said = [f"{t.effect} belongs to the instrument: no command is changed for it" for t in self.instrument]
         return at, said + assumed
 
+    @property
+    def remembers(self) -> bool:
+        """Whether a command depends on those before it: an effect remembers how the machine came where it is."""
+        return any(remembers(term.kernels) for term in self.effects)
+
     def needs_loops(self, what: str) -> None:
         """Raise UsageError for a machine without an inverse in closed form to be written out."""
         if not self.mechanism.written_out:
@@ -325,7 +330,8 @@ class Compensator:
                 return self._machine(q, tool[some], None if channels is None else channels.subset(some))
 
             with_effects = reach if self.effects else None
-            q, found = self.mechanism.follow(targets, start, tool, self._rows, self._drawn, with_effects, out=joints)
+            how = self._rows, self._drawn, with_effects
+            q, found = self.mechanism.follow(targets, start, tool, *how, together=self.remembers, out=joints)
         elif start is None:
             q, found, state = joints, np.empty(len(targets), dtype=np.int64), self._kernels.copied(self._state)
             self._kernels.linear_commands(self.mechanism.stated(targets), tool, state, q, found)
@@ -356,8 +362,9 @@ class Compensator:
         """Return the machine in equilibrium with its effects at joints (N, n_q) as the geometry counts them."""
         at = self.channels({}, len(q))[0] if channels is None else channels
         effects = self.effects
-        if at.get("time") is None:  # drift is taken from its start, and a jump as past
-            at = at.with_values(time=np.zeros(len(q)))
+        if at.get("time") is None:  # drift is taken from its start, a jump as past, and nothing as remembered
+            run = np.arange(len(q)) if self.remembers else at.run
+            at = replace(at.with_values(time=np.zeros(len(q))), run=run)
             effects = tuple(t.afterwards() for t in effects)
         body = Body(self.robot, self.mechanism, q, tool, at)
         for term in effects:
