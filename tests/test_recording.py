@@ -25,6 +25,7 @@ from deltacal_gen.files.robot import robot_from_dict
 from deltacal_gen.files.writing import write_files, write_recording
 from deltacal_gen.machine.machine import GeometryKey
 from deltacal_gen.machine.registry import mechanism_of
+from deltacal_gen.machine.rotation import to_vector
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.units import DEG
 
@@ -156,6 +157,20 @@ def test_poses_and_targets_need_no_reading(read: Any) -> None:
     assert recording.targets.tolist() == [[1, 2, -700]]
     assert np.isnan(recording.joints).all()
     assert np.isnan(recording.measured).all()
+
+
+def test_of_a_platform_that_turns_about_one_axis_only_that_turn_is_asked_for(read: Any) -> None:
+    """Others are zero where they are written: no target is taken that the platform cannot have."""
+    own = {"turns": ("z",), "asks": ("px", "py", "pz", "cz"), "widths": (3, 12), "turning": True}
+    picker = SimpleNamespace(name="picker", limbs=4, joint_unit="rad", **SPACE | own)
+    for header, rest in (("rz_deg", ""), ("rx_deg,ry_deg,rz_deg", "0,-0.0,")):
+        text = f"x_mm,y_mm,z_mm,{header}\n10,20,-700,{rest}15\n"
+        found = read(text, need_measured=False, allow_targets=True, mechanism=picker).targets
+        assert to_vector(found[:, 3:].reshape(-1, 3, 3)) == pytest.approx(np.array([[0.0, 0.0, 15 * DEG]]))
+    tilted = "x_mm,y_mm,z_mm,rx_deg,ry_deg,rz_deg\n1,2,-700,0,0,5\n1,2,-700,0,3,5\n"
+    with pytest.raises(InputError, match="'picker' does not turn about y") as flaw:
+        read(tilted, need_measured=False, allow_targets=True, mechanism=picker)
+    assert (flaw.value.line, flaw.value.column) == (3, "ry_deg")
 
 
 def test_a_planar_machine_has_two_axes(read: Any) -> None:

@@ -50,6 +50,7 @@ if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Machine
     from deltacal_gen.results.parts import InstrumentState
 
+NO_TURN = 1e-9  # rad: what is left of a turn of zero after somebody's arithmetic
 _JOINT_LIKE = re.compile(r"q\d", re.IGNORECASE)  # meant as joints, though perhaps misspelt
 _JOINT_OF_END = re.compile(r"q\d+[ab]_(deg|mm|rad)")
 _END = re.compile(r"(?P<stem>.+?)_?(?P<end>[ab])(?P<unit>(_[A-Za-z]+\d?)*)")  # q1a_deg, payload_a_kg, approach1b
@@ -299,9 +300,31 @@ def _pairs_and_rows(path: Path, rows: Rows) -> tuple[Rows | None, Rows]:
     return rows, dataclasses.replace(rows, columns=columns, line=np.repeat(rows.line, 2))
 
 
-def _turns(mechanism: Machine) -> tuple[str, ...]:
-    """Return the columns of a rotation: in space a tracked body has one, held or not; in the plane it is about z."""
-    return ROTATION if len(mechanism.axes) == 3 else tuple(f"r{axis}_deg" for axis in mechanism.turns)
+def _turns(rows: Rows, mechanism: Machine) -> tuple[str, ...]:
+    """Return the columns of a rotation: those about which a platform turns, and others that are there."""
+    return tuple(turn for turn in ROTATION if turn[1] in mechanism.turns or turn in rows.columns)
+
+
+def _angles(rows: Rows, mechanism: Machine, turns: Sequence[str]) -> np.ndarray:
+    """Return what the columns of a rotation hold (N, 3) [rad], zero where one is left out.
+
+    Raises
+    ------
+    InputError
+        Cells are missing, or the platform would have to turn about an axis about which it does not.
+    """
+    angles = np.zeros((len(rows.line), 3))
+    angles[:, [ROTATION.index(turn) for turn in turns]] = rows.numbers(*turns, blank=False) * DEG
+    for turn in turns:
+        tilted = np.flatnonzero(np.abs(angles[:, ROTATION.index(turn)]) > NO_TURN)
+        if turn[1] not in mechanism.turns and len(tilted):
+            raise rows.error(
+                f"the platform of '{mechanism.name}' does not turn about {turn[1]}.",
+                "Write 0, or leave the column out.",
+                row=int(tilted[0]),
+                column=turn,
+            )
+    return angles
 
 
 def targets_of(rows: Rows, mechanism: Machine, rotation: str = "vector") -> tuple[np.ndarray, Rows]:
@@ -312,15 +335,14 @@ def targets_of(rows: Rows, mechanism: Machine, rotation: str = "vector") -> tupl
     Raises
     ------
     InputError
-        Cells are missing, or how the machine shall stand is not said.
+        Cells are missing, or how the machine shall stand is not said, or it cannot stand so.
     """
-    axes, turns = tuple(f"{axis}_mm" for axis in mechanism.axes), _turns(mechanism)
+    axes, turns = tuple(f"{axis}_mm" for axis in mechanism.axes), _turns(rows, mechanism)
     targets = np.zeros((len(rows.line), 3))
     given = [axis for axis in axes if f"p{axis[0]}" in mechanism.asks or axis in rows.columns]
     targets[:, [POSITION.index(axis) for axis in given]] = rows.numbers(*given, blank=False)
     if POSE in mechanism.widths and set(turns) & set(rows.columns):
-        angles = np.zeros((len(targets), 3))
-        angles[:, [ROTATION.index(turn) for turn in turns]] = rows.numbers(*turns, blank=False) * DEG
+        angles = _angles(rows, mechanism, turns)
         turned = from_vector(angles) if rotation == "vector" else from_turns(rotation, angles)
         return np.hstack([targets, turned.reshape(-1, 9)]), rows.without((*axes, *turns))
     if 3 not in mechanism.widths:
