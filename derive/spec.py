@@ -442,7 +442,8 @@ class Measurement:
     start : sequence of float
         The state from which the instrument's readings find it, where no file in ``instrument/kinds`` knows better.
     scale : float
-        What one unit of a value (mm, rad or px) is at the platform [mm], where no such file knows better.
+        What one unit of a value (rad or px) is at the platform [mm], where no such file knows better; lengths count as
+        they are.
     """
 
     name: str

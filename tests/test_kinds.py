@@ -6,6 +6,7 @@ import ast
 import dataclasses
 import json
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -18,7 +19,7 @@ from deltacal_gen.files.robot import Robot
 from deltacal_gen.files.writing import write_recording
 from deltacal_gen.identification import identification
 from deltacal_gen.instrument import kinds
-from deltacal_gen.instrument.kind import Instrument, Readings
+from deltacal_gen.instrument.kind import Instrument, Kind, Readings
 from deltacal_gen.instrument.kinds import instrument_of, kind_of, readings
 from deltacal_gen.machine.registry import Array, Machine
 from deltacal_gen.machine.rotation import from_vector, to_vector
@@ -225,6 +226,28 @@ def test_what_cannot_be_simulated_says_so(robot: Robot, mechanism: Machine) -> N
 
 
 # -------------------------------------------------------------------------------------------------------- the registry
+
+
+def test_a_length_beside_angles_counts_as_it_is(x: Array, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of a tracker that tells range and azimuth only the angle has another size at the platform than in its column."""
+
+    def reading(at: Array, given: Array) -> Array:
+        return np.column_stack([np.hypot(at[:, 0], at[:, 1]), np.arctan2(at[:, 1], at[:, 0])])
+
+    slopes = np.ones((len(x), 2, 1, 6)), np.ones((len(x), 2, 1))
+    kernels = SimpleNamespace(
+        COLUMNS=("range_mm", "azimuth_deg"), ROTATION_ROWS=(), ROWS=2, UNKNOWN=(("w", "rad", 1, ""),)
+    )
+    vars(kernels).update(reading=reading, by_platform=lambda *_: slopes[0], by_unknown=lambda *_: slopes[1], TARGETS={})
+    monkeypatch.setattr(Kind, "kernels", kernels)
+    tracker, rows = Kind("tracker"), np.arange(len(x))[:, None]
+    found = tracker.taken(rows, values=reading(x, x) + np.array([0.01, 1e-5]))
+    at = Instrument(tracker, np.zeros((1, 1)), (0,), 3000.0)
+    assert tracker.unit == "mm"
+    np.testing.assert_allclose(at.residual(found, x), np.tile([0.01, 0.03], (len(x), 1)), rtol=1e-6)
+    by_platform, by_unknown = at.linearise(found, x, np.ones((len(x), 6, 1)))
+    np.testing.assert_allclose(by_platform[:, :, 0], np.tile([6.0, 18000.0], (len(x), 1)))
+    np.testing.assert_allclose(by_unknown[:, :, 0], np.tile([1.0, 3000.0], (len(x), 1)))
 
 
 def test_a_name_that_is_none_is_refused() -> None:

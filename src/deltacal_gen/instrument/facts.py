@@ -173,8 +173,7 @@ class Facts:
     @property
     def unit(self) -> str:
         """Unit of the values in files: mm, deg or px."""
-        unit: str = self.kernels.COLUMNS[0].rpartition("_")[2]
-        return unit
+        return self.unit_in(self.kernels.COLUMNS)
 
     def unit_in(self, columns: Collection[str]) -> str:
         """Return the unit in files of readings in some columns, in which their noise counts; mm where some are.
@@ -186,9 +185,18 @@ class Facts:
 
     @property
     def scale(self) -> float:
-        """What one unit of a value inside (mm, rad, px) is at the platform [mm], as far as the file can say."""
+        """What one unit of a value inside (rad, px) is at the platform [mm], as far as the file can say."""
         scale: float = self.kernels.SCALE
         return scale
+
+    def at_platform(self, scale: float) -> Array:
+        """Return what one unit of each column of a residual (k,) is at the platform [mm], of an instrument's `scale`.
+
+        A length is as long there, whatever stands beside it; rotations have a noise of their own.
+        """
+        lengths = np.array([name.endswith("_mm") for name in self.kernels.COLUMNS])
+        lengths[list(self.turned)] = True
+        return np.where(lengths, 1.0, scale)
 
     @property
     def turned(self) -> tuple[int, ...]:

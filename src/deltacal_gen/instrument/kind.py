@@ -135,7 +135,7 @@ class Instrument:
         Which unknowns of the kind are estimated; none of them in a frame that is known.
     scale : float
         What one unit of the reading is at the platform [mm]: of images, a pixel at the ball's distance. Residuals and
-        derivatives come multiplied by it.
+        derivatives come multiplied by it, but those of lengths; see `at_platform`.
     home : tuple of float
         From where positions count [mm], in {O}.
     ties : tuple of (int, int, float)
@@ -165,6 +165,11 @@ class Instrument:
             for name, unit in named
         )
 
+    @cached_property
+    def at_platform(self) -> Array:
+        """What one unit of each column of a residual (k,) is at the platform [mm]; of rotations 1."""
+        return self.kind.at_platform(self.scale)
+
     def ends(self, found: Readings, x: Array) -> tuple[Array, ...]:
         """Return what readings belong to, one array per end: poses (R, 12), positions counted from the home.
 
@@ -187,7 +192,7 @@ class Instrument:
     def residual(self, found: Readings, x: Array) -> Array:
         """Return measured minus predicted, (R, k): mm, and the rotation vector between the rotations in rad."""
         values, rotations = self.predict(found, x)
-        r = self.scale * (found.values - values)
+        r = self.at_platform[: values.shape[1]] * (found.values - values)
         if rotations is None or found.rotations is None:
             return r
         turned = np.full((len(found), 3), np.nan)
@@ -199,7 +204,8 @@ class Instrument:
 
     def by_unknown(self, found: Readings, x: Array, chosen: Sequence[int]) -> Array:
         """Return the derivatives (R, k, chosen) of the readings by unknowns of the kind, free or not."""
-        derivatives: Array = self.scale * self.kind.kernels.by_unknown(*self.ends(found, x), self.given(found))
+        by_unknown: Array = self.kind.kernels.by_unknown(*self.ends(found, x), self.given(found))
+        derivatives = self.at_platform[:, None] * by_unknown
         return derivatives[:, :, list(chosen)]
 
     def linearise(self, found: Readings, x: Array, dx: Array) -> tuple[Array, Array]:
@@ -361,7 +367,7 @@ class Kind(Facts):
     def by_platform(self, instrument: Instrument, found: Readings, x: Array, dx: Array) -> Array:
         """Return the derivatives (R, k, n) of the readings where platforms move by `dx` (N, 6, n)."""
         by_platform = self.kernels.by_platform(*instrument.ends(found, x), instrument.given(found))
-        by_platform = instrument.scale * by_platform
+        by_platform = instrument.at_platform[:, None, None] * by_platform
         parts = (by_platform[:, :, e] @ moved for e, moved in enumerate(found.ends(dx)))
         J: Array = next(parts)
         for part in parts:

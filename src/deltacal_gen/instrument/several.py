@@ -62,6 +62,10 @@ class Several(Kind):
         """What one unit of a value is at the platform [mm]."""
         return self.kinds[0].scale
 
+    def at_platform(self, scale: float) -> Array:
+        """Return ones: lengths are read."""
+        return np.ones(self.width)
+
     @property
     def turned(self) -> tuple[int, ...]:
         """None: no rotations are read."""

@@ -221,7 +221,7 @@ def simulate(
     if (noise_mm or noise_rad) and rng is None:
         raise ValueError("noise needs a random generator: pass rng.")
     if noise_mm and rng is not None:
-        values = values + noise_mm / instrument.scale * rng.standard_normal(values.shape)
+        values = values + noise_mm / instrument.at_platform[: values.shape[1]] * rng.standard_normal(values.shape)
     if rotations is not None and noise_rad and rng is not None:
         rotations = from_vector(noise_rad * rng.standard_normal((len(values), 3))) @ rotations
     x = machine.x

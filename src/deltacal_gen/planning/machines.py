@@ -320,7 +320,7 @@ def _read(study: Study, truth: Array, x: Array, rng: np.random.Generator) -> Rea
     stacked = _stacked(study, len(truth))
     instrument = _mounted(study, _several(study, len(truth)), truth)
     values, rotations = instrument.predict(stacked, x.reshape(-1, x.shape[2]))
-    values = values + study.sigma / instrument.scale * rng.standard_normal(values.shape)
+    values = values + study.sigma / instrument.at_platform[: values.shape[1]] * rng.standard_normal(values.shape)
     values[np.isnan(stacked.values)] = np.nan
     if rotations is not None and stacked.rotations is not None:
         rotations = from_vector(study.turn_sigma * rng.standard_normal((len(values), 3))) @ rotations

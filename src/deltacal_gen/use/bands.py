@@ -111,7 +111,7 @@ def predicted_bands(
     beyond = _beyond(result, known, done, found)
     width = spread.shape[1]
     scatter = np.resize(known.scatter, width) if len(known.scatter) < width else known.scatter[:width]
-    scale = np.where(np.isin(np.arange(width), found.kind.turned), 1.0, 1.0 / at.instrument.scale)
+    scale = 1.0 / at.instrument.at_platform[:width]
     half = quantile(known.degrees) * np.sqrt(spread**2 + (scatter * scale) ** 2 + (beyond[:, None] * scale) ** 2)
     values, turns = half[:, : found.kind.width], half[:, found.kind.width :]
     held = found.kind.with_values(recording, found, values, from_vector(turns) if turns.shape[1] else None)
@@ -212,7 +212,7 @@ def parts(
         np.linalg.norm(by - by @ onto, axis=2),
         np.linalg.norm(by @ onto, axis=2),
         np.sqrt(moved.placing[:, :width]),
-        np.sqrt(scatter**2 + beyond[:, None] ** 2) / at.instrument.scale,
+        np.sqrt(scatter**2 + beyond[:, None] ** 2) / at.instrument.at_platform[:width],
     )
 
 
@@ -260,7 +260,7 @@ def _in_columns(at: _At) -> tuple[Array, Array]:
     J_p, J_m = at.state.J_p.copy(), at.state.J_m.copy()
     kind, width = at.problem.readings.kind, at.problem.readings.kind.width
     for J in (J_p, J_m):
-        J[:, :width] /= at.instrument.scale
+        J[:, :width] /= at.instrument.at_platform[:width, None]
     if kind.rotations:
         _, rotations = at.instrument.mounted(at.problem.mechanism, at.problem.reference).predict(
             at.problem.readings, at.x
