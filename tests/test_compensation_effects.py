@@ -67,7 +67,7 @@ def test_the_command_brings_the_machine_with_the_effect_to_the_target(name: str)
 
 
 @pytest.mark.parametrize("robot", [machines()[0], machines()[2]], ids=["loops", "chain"])
-def test_commands_of_a_machine_that_remembers_count_those_before_them(robot: Robot) -> None:
+def test_commands_of_a_machine_that_remembers_count_those_before_them(robot: Robot, tmp_path: Path) -> None:
     """A joint is drawn along by where it was: a command moves all that come after it."""
     text, n = "law joint = c1*(Lag(q, c2) - q)", 40
     drawn = Term(text, (2,), np.full((1, 1), 2e-3), (500.0, *(-1e9, 1e9) * len(load_effect(text).STATE)))
@@ -81,6 +81,9 @@ def test_commands_of_a_machine_that_remembers_count_those_before_them(robot: Rob
     assert np.abs(joints - rigid).max() > 1e-4
     without_time = compensator.command(wanted_at)[0]  # then each stands alone
     np.testing.assert_allclose(without_time, rigid, rtol=0, atol=1e-9)
+    for export in (export_c, export_table):
+        with pytest.raises(UsageError, match="of what remembers how the machine came to a target"):
+            export(compensator, tmp_path / "one_by_one")
 
 
 def test_a_large_shift_of_a_joint_is_undone_in_steps_that_double_the_digits(

@@ -278,6 +278,15 @@ class Compensator:
         """Whether a command depends on those before it: an effect remembers how the machine came where it is."""
         return any(remembers(term.kernels) for term in self.effects)
 
+    def needs_no_past(self, what: str) -> None:
+        """Raise UsageError where an effect remembers: what is exported knows one target at a time."""
+        if self.remembers:
+            late = dict.fromkeys(term.effect for term in self.effects if remembers(term.kernels))
+            raise UsageError(
+                f"{', '.join(late)}: there is no {what} of what remembers how the machine came to a target. Write the "
+                "joints of your targets, which say time_s: deltacal compensate RESULT TARGETS -o JOINTS."
+            )
+
     def needs_loops(self, what: str) -> None:
         """Raise UsageError for a machine without an inverse in closed form to be written out."""
         if not self.mechanism.written_out:

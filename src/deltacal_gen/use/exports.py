@@ -75,9 +75,12 @@ def export_c(compensator: Compensator, path: str | Path, over: Spans | None = No
 
     Raises
     ------
+    UsageError
+        An effect remembers, or acts along a position at which the platform also turns on command.
     InputError
         The robot has no workspace, or the file cannot be written.
     """
+    compensator.needs_no_past("C")
     placed = [t.effect for t in compensator.effects if not _c_effect(t).is_file()]
     if placed and compensator.mechanism.turning:
         raise UsageError(

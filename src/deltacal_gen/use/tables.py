@@ -152,6 +152,8 @@ def export_table(
 
     Raises
     ------
+    UsageError
+        The machine moves in a plane, or an effect remembers.
     InputError
         The robot has no workspace, or the file cannot be written.
     NoSolutionError
@@ -169,6 +171,7 @@ def export_table(
             f"a table is made for machines that move in space, and {compensator.mechanism.machine} moves in a plane. "
             "Export the C source, or write the joints of your targets: deltacal compensate RESULT TARGETS -o JOINTS."
         )
+    compensator.needs_no_past("table")
     over = over or Spans()
     compensator = after_jumps(compensator)
     compensator.round_trip()  # a workspace out of reach is refused here
