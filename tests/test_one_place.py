@@ -19,6 +19,7 @@ from deltacal_kernels.effects.targets import LAWFUL, TARGETS
 
 from deltacal_gen import states
 from deltacal_gen.instrument import kinds
+from deltacal_gen.machine.values import TRUTH
 from deltacal_gen.physics.terms import drive_effect_names, effect_names, load_effect
 from deltacal_gen.results.reader import KINDS_IN_MOTION
 
@@ -174,6 +175,11 @@ def of_machines(node: ast.AST) -> bool:
     return isinstance(node, ast.Attribute) and node.attr in ("links", "linked")
 
 
+def of_truths(node: ast.AST) -> bool:
+    """Tell whether a node knows how columns of what only a simulation knows begin: others ask `Recording.told`."""
+    return isinstance(node, ast.Constant) and isinstance(node.value, str) and node.value.startswith(TRUTH)
+
+
 @pytest.mark.parametrize(
     ("rule", "home", "allowed"),
     [
@@ -182,8 +188,9 @@ def of_machines(node: ast.AST) -> bool:
         (of_effects, (), OF_EFFECTS),
         (of_targets, (), OF_TARGETS),
         (of_machines, ("machine/",), OF_MACHINES),
+        (of_truths, ("machine/values.py",), {}),
     ],
-    ids=["states", "kinds", "effects", "targets", "machines"],
+    ids=["states", "kinds", "effects", "targets", "machines", "truths"],
 )
 def test_what_is_known_is_known_in_one_place(
     nodes: Nodes, rule: Callable[[ast.AST], bool], home: tuple[str, ...], allowed: dict[str, str]

@@ -28,6 +28,7 @@ def test_targets_are_commanded_by_the_nominal_machine_and_reached_by_the_true_on
     assert recording.measured == pytest.approx(x[:, :3], abs=1e-9)
     assert recording.targets is None
     turned = np.column_stack([recording.channels[f"true_r{a}_deg"] for a in "xyz"]) * DEG
+    assert not {f"true_r{a}_deg" for a in "xyz"} & recording.told.keys()
     assert turned == pytest.approx(to_vector(x[:, 3:].reshape(-1, 3, 3)), abs=1e-12)
 
 

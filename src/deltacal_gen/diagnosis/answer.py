@@ -223,9 +223,7 @@ def _residuals(found: Diagnosed) -> Residuals:
     problem = found.final.problem
     rows = problem.readings.rows[:, 0]
     machine = found.final.machine
-    channels = {
-        name: values[rows] for name, values in problem.recording.channels.items() if not name.startswith("true_")
-    }
+    channels = {name: values[rows] for name, values in problem.recording.told.items()}
     unit, q = problem.recording.joint_unit, problem.body.q[rows]
     channels |= zip(joint_names(unit, q.shape[1]), (q / joint_factors(unit, q.shape[1])).T, strict=True)
     return Residuals(

@@ -217,13 +217,8 @@ def _recorded(problem: Problem, kernels: Kernels, form: Form) -> list[str]:
     known = {n for s in CHANNELS for n in s.columns(problem.recording.joint_unit, problem.mechanism.limbs)}
     return [
         name
-        for name, values in problem.recording.channels.items()
-        if not (
-            name in known
-            or name in problem.readings.kind.known
-            or name in problem.recording.doubts
-            or name.startswith("true_")
-        )
+        for name, values in problem.recording.told.items()
+        if not (name in known or name in problem.readings.kind.known or name in problem.recording.doubts)
         and not any(s.part(name) for s in RECORDED)
         and np.isfinite(values[rows]).all()
         and np.ptp(values[rows]) > 0

@@ -245,8 +245,8 @@ def _bases(problem: Problem) -> dict[str, tuple[Array, list[Region | None]]]:
     n_q = body.q.shape[1]
     named = dict(zip(joint_names(recording.joint_unit, n_q), body.q.T, strict=True))
     moving = dict(zip(joint_names(recording.joint_unit, n_q, APPROACH), body.q.T, strict=True))
-    for name, values in {**recording.channels, **named}.items():
-        if name.startswith("true_") or not np.isfinite(values[rows]).any():
+    for name, values in {**recording.told, **named}.items():
+        if not np.isfinite(values[rows]).any():
             continue
         v = np.nan_to_num(values, nan=float(np.nanmedian(values[rows])))
         if np.ptp(v[rows]) > 0:

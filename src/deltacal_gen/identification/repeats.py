@@ -130,8 +130,8 @@ def _channels(found: Readings, recording: Recording) -> dict[str, Array]:
     """Return the channels (R,) of readings of one row each, the way joints came among them; those that vary."""
     if found.rows.shape[1] != 1:
         return {}
-    every = {n: v[found.rows[:, 0]] for n, v in sorted(with_motion(recording).channels.items())}
-    return {n: v for n, v in every.items() if not n.startswith("true_") and (v != v[0]).any()}
+    every = {n: v[found.rows[:, 0]] for n, v in sorted(with_motion(recording).told.items())}
+    return {n: v for n, v in every.items() if (v != v[0]).any()}
 
 
 def _levelled(group: np.ndarray, channels: Mapping[str, Array]) -> np.ndarray:

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 POSITION = ("x_mm", "y_mm", "z_mm")
 TOOL_ERRORS = ("tx", "ty", "tz")  # of machines that turn what they carry
 ROTATION = ("rx_deg", "ry_deg", "rz_deg")
+TRUTH = "true_"  # so begin the columns of what only a simulation knows
 UNKNOWN = math.nan  # what is to be found
 LONG_BEFORE = 10.0  # times a recording's own length: stamps that begin so late count from another day
 
@@ -398,6 +399,11 @@ class Recording:
     def components(self) -> tuple[int, ...]:
         """Which of a body's six coordinates (x y z, rotation about x y z) the columns of a position or pose hold."""
         return tuple((*POSITION, *ROTATION).index(name) for name in self.columns if name in POSITION + ROTATION)
+
+    @property
+    def told(self) -> dict[str, np.ndarray]:
+        """The channels, but for those that only a simulation knows: no answer goes by the truth."""
+        return {name: values for name, values in self.channels.items() if not name.startswith(TRUTH)}
 
     @property
     def time_s(self) -> np.ndarray | None:

@@ -21,7 +21,7 @@ from deltacal_gen.instrument.kind import TURN_MM
 from deltacal_gen.instrument.kinds import kind_of, measured_points
 from deltacal_gen.machine.registry import SOLVED, STATUS, UNDEFINED, Array, Machine, mechanism_of, nominal_joints
 from deltacal_gen.machine.rotation import from_vector, to_vector
-from deltacal_gen.machine.values import Recording
+from deltacal_gen.machine.values import ROTATION, TRUTH, Recording
 from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.channels import Channels
 from deltacal_gen.physics.motion import with_motion
@@ -226,8 +226,8 @@ def simulate(
         rotations = from_vector(noise_rad * rng.standard_normal((len(values), 3))) @ rotations
     x = machine.x
     truth = {
-        f"true_r{axis}_deg": column / DEG
-        for axis, column in zip("xyz", to_vector(x[:, 3:].reshape(-1, 3, 3)).T, strict=True)
+        f"{TRUTH}{turn}": column / DEG
+        for turn, column in zip(ROTATION, to_vector(x[:, 3:].reshape(-1, 3, 3)).T, strict=True)
     }
     measurement = dataclasses.replace(poses.measurement, kind=poses.kind)
     if noise_mm and found.kind.sigma(measurement, instrument.scale) is None:

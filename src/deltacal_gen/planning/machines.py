@@ -400,8 +400,7 @@ def concealed(study: Study, suspect: int, trial: int) -> Trial:
     recording = simulate(
         study.robot, study.poses, errors, noise_mm=study.sigma, noise_rad=study.turn_sigma, rng=rng, terms=terms
     )
-    channels = {k: v for k, v in recording.channels.items() if not k.startswith("true_")}
-    found = diagnose(study.robot, dataclasses.replace(recording, channels=channels)).answer()
+    found = diagnose(study.robot, dataclasses.replace(recording, channels=recording.told)).answer()
     named = [(e.name, e.limbs) for e in found.findings]
     wanted = [(t.effect, t.limbs) for t in terms]
     return Trial.of(found, named, wanted, found.baseline.heldout_rms_mm, found.final.heldout_rms_mm)

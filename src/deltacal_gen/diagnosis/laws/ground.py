@@ -391,8 +391,8 @@ def _channels(problem: Problem) -> list[str]:
     """Return the channels of the machine that were recorded, by the names of states, then covariates by their own."""
     out = [n for n in RECORDED if n in problem.body.channels.values]
     own = {n for s in CHANNELS for n in s.columns(problem.recording.joint_unit, problem.mechanism.limbs)}
-    for name in problem.recording.channels:
-        doubtful = name in problem.recording.doubts or name.startswith("true_") or not name.isidentifier()
+    for name in problem.recording.told:
+        doubtful = name in problem.recording.doubts or not name.isidentifier()
         if name not in own and not doubtful and name in problem.body.channels.values and named(name).name == name:
             out += [name] if named(name).unit == "as recorded" else []
     return out
