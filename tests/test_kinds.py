@@ -108,7 +108,7 @@ def change(found: Readings, before: Instrument, after: Instrument, x: Array, mov
     """Return how readings change: values, and the rotation vector between rotations."""
     values, rotations = before.predict(found, x)
     new_values, new_rotations = after.predict(found, moved)
-    gap = before.scale * (new_values - values)  # NaN in the columns of other kinds
+    gap = before.at_platform[: values.shape[1]] * (new_values - values)  # NaN in the columns of other kinds
     if rotations is not None and new_rotations is not None:
         gap = np.hstack([gap, to_vector(new_rotations @ np.swapaxes(rotations, 1, 2))])
     return gap

@@ -245,12 +245,25 @@ def slopes_of(term: Term, body: Body, machine: Deformed, readings: Array) -> dic
     for raw, s in zip(read_by(term.kernels), term.states, strict=True):
         if raw.kind == "chosen":
             put[raw.name] = put[s.name][:, None] * body._of_other(s.joint) if s.joint else put[s.name]
+    by_memory: dict[str, Array] = {}
+    if spec.memory:
+        state = body.state(names, machine.x, machine.q, machine.rows)
+        found = body._remembered(term, body.read(term, state))
+        limbs = found.value.shape[0] // len(body.q)
+        for m, z in enumerate(spec.memory):
+            put[z.name] = found.value[:, m].reshape(-1, limbs)
+            by_memory[z.name] = found.by_coefficients[:, m].reshape(len(body.q), limbs, -1)
     put |= {"y_length": readings[:, 0], **dict(zip(("y_x", "y_y", "y_z"), readings.T, strict=False))}
     shaped = {name: v[:, None] if np.ndim(v) == 1 else v for name, v in put.items()}
+
+    def of(e: sp.Expr) -> Array:
+        return np.broadcast_to(value(e, **{str(s): shaped[str(s)] for s in e.free_symbols}), body.q.shape)
+
     return {
         target: [
-            np.broadcast_to(value(column, **{str(s): shaped[str(s)] for s in column.free_symbols}), body.q.shape)
-            for column in (sp.diff(e, c.symbol) for c in spec.coefficients)
+            of(sp.diff(e, c.symbol))
+            + sum(of(sp.diff(e, z.symbol)) * by_memory[z.name][:, :, k] for z in spec.memory)  # and through memories
+            for k, c in enumerate(spec.coefficients)
         ]
         for target, e in spec.targets.items()
     }
