@@ -58,10 +58,13 @@ class Added:
 ADDED = {
     "probe": Added(("probe_mm",), NOISE),
     "level": Added(("lean_x_deg", "lean_y_deg"), NOISE / 100.0 * 57.3),
+    "tracker": Added(("range_mm", "azimuth_deg", "elevation_deg"), NOISE),
 }
 
 
-@pytest.fixture(scope="module", params=["probe", pytest.param("level", marks=pytest.mark.thorough)])
+@pytest.fixture(
+    scope="module", params=["probe", *(pytest.param(n, marks=pytest.mark.thorough) for n in ("level", "tracker"))]
+)
 def added(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Checkout:
     """A copy of the sources to which the kinds' files were added, and readings of one that a simulation gives."""
     name, robot = str(request.param), robot_from_dict(PROTOTYPE)
