@@ -12,7 +12,7 @@ from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.rigid import Rigid
 from tests import independent_delta
-from tests.machines_with_loops import REACH, machine, states
+from tests.machines_with_loops import NAMES, machine, states
 from tests.test_dynamics import by_differences
 
 QUICK = ("delta", "planar_parallelogram")  # the others' kernels of rates compile for three seconds each
@@ -35,7 +35,7 @@ def inertia_of_joints(robot: Robot, q: np.ndarray, inertia: np.ndarray) -> np.nd
     return np.stack(columns, axis=2)
 
 
-@pytest.mark.parametrize("name", REACH)
+@pytest.mark.parametrize("name", NAMES)
 def test_the_regressor_times_the_parameters_is_the_torque(name: str) -> None:
     robot = machine(name)
     own, motion = dynamics_of(robot), states(robot, 70)
@@ -45,7 +45,7 @@ def test_the_regressor_times_the_parameters_is_the_torque(name: str) -> None:
     assert Y @ inertia == pytest.approx(found, abs=1e-12 * np.abs(found).max())
 
 
-@pytest.mark.parametrize("name", REACH)
+@pytest.mark.parametrize("name", NAMES)
 def test_at_rest_the_loops_give_what_weights_exert(name: str) -> None:
     """By the kernels of statics, which put half of a rod at either end: at rest that is the same."""
     robot = dataclasses.replace(machine(name), errors={})  # there a centre of mass is a part of the arm as it is
@@ -94,7 +94,7 @@ def test_the_inertia_of_a_delta_is_that_of_its_kinetic_energy() -> None:
     assert own.names[:4] == ("m_arm_1", "mx_arm_1", "i_arm_1", "m_rod_1")
 
 
-@pytest.mark.parametrize("name", REACH)
+@pytest.mark.parametrize("name", NAMES)
 def test_the_torque_of_loops_is_lagrange_s(name: str) -> None:
     """``M qdd + (dM/dt) qd - 1/2 d(qd M qd)/dq`` without weight; differences of the matrix of inertia."""
     robot = machine(name)
@@ -116,7 +116,7 @@ def test_the_torque_of_loops_is_lagrange_s(name: str) -> None:
     assert weightless(robot).torque(motion, inertia) == pytest.approx(wanted, abs=1e-9 * np.abs(wanted).max())
 
 
-@pytest.mark.parametrize("name", REACH)
+@pytest.mark.parametrize("name", NAMES)
 def test_what_the_joints_give_is_what_the_bodies_gain(name: str) -> None:
     """Along a trajectory power is the rate of kinetic energy, and of the work against gravity at no speed."""
     robot = machine(name)
@@ -143,7 +143,7 @@ def test_what_the_joints_give_is_what_the_bodies_gain(name: str) -> None:
     assert gain == pytest.approx(power, abs=1e-8 * np.abs(power).max())
 
 
-@pytest.mark.parametrize("name", REACH)
+@pytest.mark.parametrize("name", NAMES)
 def test_as_many_base_parameters_as_the_columns_have_directions(name: str) -> None:
     robot = machine(name)
     Y = dynamics_of(robot).regressor(states(robot, 300, 8)).reshape(-1, len(dynamics_of(robot).names))
@@ -181,7 +181,7 @@ def test_a_pose_out_of_reach_has_no_torque() -> None:
 
 
 @pytest.mark.parametrize(
-    "name", [pytest.param(name, marks=() if name in QUICK else pytest.mark.thorough) for name in REACH]
+    "name", [pytest.param(name, marks=() if name in QUICK else pytest.mark.thorough) for name in NAMES]
 )
 def test_torques_change_with_the_errors_of_the_calibrated_machine_as_derived(name: str) -> None:
     """Against differences of fourth order, error by error."""

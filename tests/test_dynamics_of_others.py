@@ -10,7 +10,7 @@ from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Robot
 from tests import independent_delta
 from tests.every_effect import ARM, PRINTER
-from tests.machines_with_loops import GRAVITY, MASSES, machine, states
+from tests.machines_with_loops import MASSES, machine, states
 from tests.mujoco_trees import Linkage, torque_of_chain, torque_of_linkage
 from tests.test_dynamics import bodies, dynamics
 from tests.test_dynamics import states as states_of_chain
@@ -59,6 +59,7 @@ def delta(robot: Robot) -> Linkage:
 def diamond(robot: Robot) -> Linkage:
     """Return the Diamond by hand, as its file says: arms about z, one link from each to the platform."""
     g, e = {key: float(np.ravel(v)[0]) for key, v in robot.geometry.items()}, robot.errors
+    assert robot.masses is not None
     joints, elbows, hands, lengths, arms = [], [], [], [], []
     for i, side in enumerate((1.0, -1.0), start=1):
         joint = np.array([side * g["base_x"] + e[f"ex_{i}"], g["base_y"] + e[f"ey_{i}"], 0.0])
@@ -80,7 +81,7 @@ def diamond(robot: Robot) -> Linkage:
         arms=arms,
         rod=MASSES.distal_rod,
         platform=MASSES.platform,
-        gravity=np.array(GRAVITY["diamond"]),
+        gravity=np.array(robot.masses.gravity),
         turns=False,
     )
 

@@ -16,6 +16,7 @@ from scipy.optimize import nnls
 
 import deltacal_gen as dc
 from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.identification.accuracy import workspace_of
 from deltacal_gen.machine.dynamics import dynamics_of
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.motion import joint, regression
@@ -24,7 +25,7 @@ from deltacal_gen.pages import motion, report
 from deltacal_gen.results import published
 from deltacal_gen.results.reader import read_answer
 from tests.every_effect import ARM, LIFT
-from tests.machines_with_loops import REACH, machine
+from tests.machines_with_loops import NAMES, machine
 from tests.motion_recordings import DEG, LINKS, NOISE, STEP, Friction, carried, named, planned, robot, usual, written
 from tests.test_dynamics import bodies
 
@@ -372,7 +373,7 @@ def test_a_diagnosis_that_an_older_version_wrote_predicts_the_same(diagnosed: An
     assert was["rms_by_joint"] == now["rms_by_joint"]
 
 
-@pytest.mark.parametrize("name", list(REACH))
+@pytest.mark.parametrize("name", NAMES)
 def test_bodies_of_limbs_could_be_built(name: str) -> None:
     """Masses from 0 on, inertias no smaller than those masses' first moments let them be."""
     dynamics = dynamics_of(machine(name))
@@ -401,7 +402,7 @@ def test_a_machine_with_limbs_has_bodies_that_could_be_built(tmp_path: Path) -> 
     mechanism, rng = mechanism_of(known), np.random.default_rng(0)
     for run in range(3):
         w = 2 * np.pi * np.array([0.3, 0.5, 0.9])
-        x = np.array(REACH["linear_delta"][0]) + 30 * np.sin(np.outer(t, w) + rng.uniform(0, 6, 3))
+        x = workspace_of(known).box[0] + 30 * np.sin(np.outer(t, w) + rng.uniform(0, 6, 3))
         q, _, status = mechanism.inverse(x, known.tool, mechanism.rows(known))
         assert not status.any()
         states = np.stack([q, np.gradient(q, step, axis=0), np.gradient(np.gradient(q, step, axis=0), step, axis=0)])

@@ -31,7 +31,7 @@ from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.machine.dynamics import dynamics_of
 from deltacal_gen.machine.registry import mechanism_of
 from tests.every_effect import ARM
-from tests.machines_with_loops import REACH, machine, states
+from tests.machines_with_loops import NAMES, machine, states
 
 Array = np.ndarray
 
@@ -200,7 +200,7 @@ def main(arguments: list[str] | None = None) -> int:
     given = parser.parse_args(arguments)
     over = False
     print(f"{'ns a sample':16s} forward  sensitivity  torque  regressor  torque/forward  regressor/sensitivity")
-    for name in REACH:
+    for name in NAMES:
         with using(Backend.COMPILED):
             spent, torque, regressor = ratios(name, given.samples)
         times = [spent[call] for call in ("forward", "sensitivity", "torque", "regressor")]
