@@ -106,6 +106,23 @@ def test_no_import_leads_back() -> None:
     assert _circle(ways) == [], "what both need belongs below them"
 
 
+def _by_name(path: Path) -> Iterator[str]:
+    """Yield what a module imports of the package by its name in a text, up to where the text is filled in."""
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Call) and ast.unparse(node.func).endswith("import_module"):
+            text = next((n.value for n in ast.walk(node.args[0]) if isinstance(n, ast.Constant)), "")
+            yield from [text] if str(text).startswith("deltacal_gen.") else []
+
+
+def test_no_import_hides_in_a_text() -> None:
+    """Walls see no import by name: a wing may look up its own rooms so, the package all."""
+    found = {path.relative_to(ROOT / PACKAGE).as_posix(): [*_by_name(path)] for path in (ROOT / PACKAGE).rglob("*.py")}
+    assert found.pop("__init__.py") == ["deltacal_gen."]
+    assert found["results/reader.py"]  # they were read
+    hidden = {where: named for where, named in found.items() for n in named if n.split(".")[1] != where.split("/")[0]}
+    assert hidden == {}, "let the package lend it: results/shown.py"
+
+
 def test_a_way_back_is_found_wherever_it_begins() -> None:
     inner = "def f() -> None:\n    from a import b\n"
     typed = "from typing import TYPE_CHECKING\n\nif TYPE_CHECKING:\n    from a.b import C\n"

@@ -17,6 +17,8 @@ from __future__ import annotations
 import importlib
 from typing import TYPE_CHECKING, Any
 
+from deltacal_gen.results import shown as _shown
+
 if TYPE_CHECKING:  # what mypy and editors see; at run time names are looked up on first use
     from deltacal_gen.app.commands import (
         batch as batch,
@@ -157,6 +159,21 @@ _HOME = {
 _WHERE = {name: module for module, names in _HOME.items() for name in names}
 __all__ = sorted(_WHERE)  # names are looked up on first use, so that a command starts at once
 _WHERE["__version__"] = "version"
+
+
+def _plotted(answer: Any) -> Any:
+    from deltacal_gen.pages.plots import plot
+
+    return plot(answer)
+
+
+def _named(recording: Any) -> Any:
+    from deltacal_gen.files.writing import file_columns
+
+    return file_columns(recording)
+
+
+_shown.lend(plot=_plotted, columns=_named)  # what stands above answers; both take long to import
 
 
 def __getattr__(name: str) -> Any:

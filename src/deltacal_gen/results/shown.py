@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import html
-import importlib
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from deltacal_gen.errors import UsageError
@@ -50,19 +49,27 @@ def frame(rows: Table) -> pd.DataFrame:
     return pd.DataFrame(list(rows), columns=_names(rows))
 
 
+_lent: dict[str, Callable[[Any], Any]] = {}  # by what they do
+
+
+def lend(*, plot: Callable[[Any], Figure], columns: Callable[[Any], Any]) -> None:
+    """Take what draws an answer, and what names the columns of a recording and of its distances as files do.
+
+    Both are known in rooms above answers, which do not know them: the package lends them, which is above all rooms.
+    """
+    _lent.update(plot=plot, columns=columns)
+
+
 def recorded(recording: object) -> pd.DataFrame:
     """Return a recording as a data frame; how its columns are called is known where files are written."""
-    columns, distances = importlib.import_module("deltacal_gen.files.writing").file_columns(recording)
+    columns, distances = _lent["columns"](recording)
     told = distances or columns
     return frame([dict(zip(told, row, strict=True)) for row in zip(*told.values(), strict=True)])
 
 
 def picture(answer: object) -> Figure:
-    """Return the picture of an answer.
-
-    Pages stand above answers, which do not know them: their room is looked up by its name, when a picture is asked for.
-    """
-    drawn: Figure = importlib.import_module("deltacal_gen.pages.plots").plot(answer)
+    """Return the picture of an answer; how it is drawn is known where pages are made."""
+    drawn: Figure = _lent["plot"](answer)
     return drawn
 
 
