@@ -346,7 +346,7 @@ def measurement(name: str) -> dict[str, Any]:
     y = ts.letter("y")
     steps = list(_steps(spec.steps, reader))
     readings: list[Math] = []
-    if len(spec.reading) == 3:
+    if {"x_mm", "y_mm", "z_mm"} <= {*spec.columns}:  # of a point
         form = reader.read(sp.Matrix(spec.reading))
         readings.append(ts.equation(ts.letter("y", bold=True), form.math(lambda s: None)))
     elif len(spec.reading) == 1:

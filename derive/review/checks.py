@@ -274,7 +274,7 @@ def orders_of_readings(robot: Robot, kind: Kind) -> list[Order]:
         else:
             there = x + size * step if kind.sees_joints else displaced(x, size * step)
             after, first = at.predict(found, there), by_place[:, :, 0]
-        left = (_change(before, after, at.scale) - size * first) * lever
+        left = (_change(before, after, at.at_platform) - size * first) * lever
         return float(np.sqrt(np.nanmean(left**2)))
 
     steps: Array = 8.0 * 0.5 ** np.arange(HALVINGS, dtype=float)
@@ -288,9 +288,9 @@ def displaced(x: Array, by: Array) -> Array:
     return np.hstack([x[:, :3] + by[:, :3], turned.reshape(-1, 9)])
 
 
-def _change(before: tuple[Array, Array | None], after: tuple[Array, Array | None], scale: float) -> Array:
+def _change(before: tuple[Array, Array | None], after: tuple[Array, Array | None], scale: Array) -> Array:
     """Return how readings change (R, k): values as residuals count them, and the rotation between rotations."""
-    gap = scale * (after[0] - before[0])
+    gap = scale[: before[0].shape[1]] * (after[0] - before[0])
     if before[1] is None or after[1] is None:
         return gap
     return np.hstack([gap, to_vector(after[1] @ np.swapaxes(before[1], 1, 2))])

@@ -503,7 +503,8 @@ def _checked_by(robot: str, scale: float, orders: Sequence[checks.Order]) -> str
     for o in orders:
         by = "the unknowns" if o.by == "unknowns" else f"the {o.by}"
         each.append(f"by {by} {f'the order is {o.order:.3f}' if np.isfinite(o.order) else linear}")
-    text = f"Readings at poses of the machine '{robot}', by random steps, {scale:g} mm for a unit of a value: "
+    at = "" if scale == 1.0 else f", a rad or a pixel counted as {scale:g} mm"
+    text = f"Readings at poses of the machine '{robot}', by random steps{at}: "
     text += f"{'; '.join(each)}."
     if any(np.isfinite(o.order) for o in orders):
         text += " 2 or more says that the derivative is right: halve the step, quarter the gap."
