@@ -50,6 +50,7 @@ OF_STATES = {
     "diagnosis/laws/proof.py:proven": "how fast a law changes, in a word of its own",
     "pages/laws.py:_part": "the target of a law, not a state",
     "physics/law.py:__init__": "the target of a law, not a state",
+    "physics/law.py:unit_moved": "the target of a law, not a state",
     "app/demonstration.py:_check": "a recording that is made up for the demonstration",
     "app/commands/clocks.py:instrument_columns": "columns of a file: those of joints begin so",
 }
@@ -78,7 +79,7 @@ OF_EFFECTS = {
     "machine/dynamics.py:stated": "a field of a joint of the robot file, which has the same name",
 }
 OF_TARGETS = {
-    "physics/law.py:units": "the units of targets: mm but of these",
+    "physics/law.py:unit_moved": "the units of targets: mm but of these",
 }
 
 

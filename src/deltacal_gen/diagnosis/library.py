@@ -12,6 +12,7 @@ from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.identification.orders import ORDERS
 from deltacal_gen.machine.registry import Array
+from deltacal_gen.physics.targets import parts_of
 from deltacal_gen.physics.terms import (
     LOGGED,
     Constant,
@@ -117,9 +118,10 @@ def _constant(problem: Problem, name: str) -> str | None:
         return f"readings of another kind than {kind.name}"
     if displaces_points(kernels) and len(_tools(problem)) < 2:
         return "readings of a second point of the platform, at two poses or more"
-    if not kernels.STATE and all(t.startswith("limb.") for t in kernels.TARGETS):
+    parts = parts_of(kernels.TARGETS)
+    if not kernels.STATE and len(parts) == len(kernels.TARGETS):
         moves = problem.mechanism.moves(problem.robot)
-        moved = {error for t in kernels.TARGETS for error in moves.get(t[5:], {})}
+        moved = {error for part in parts for error in moves.get(part, {})}
         if {p.name for p in problem.mechanism.parameters if p.error in moved} <= set(problem.names):
             return "a smaller model: this one fits these errors as geometry"
     return None

@@ -31,6 +31,7 @@ from deltacal_gen.machine.machine import (
 from deltacal_gen.machine.rotation import Array
 from deltacal_gen.machine.values import Link, Robot
 
+HAYATI = "beta"  # the error that turns an axis parallel to the one before out of their plane
 PARALLEL = 1e-6  # rad: axes that are closer to parallel have no common normal to speak of
 RANK = 1e-6  # of the largest: a smaller singular value of the joints' Jacobian is a direction that is not commanded
 MOST_LEVER = 50.0  # joints turn at most so many times as far as the last frame: a wrist near its singularity stays
@@ -90,7 +91,7 @@ class Chain(Machine):
         )
         shared = (Parameter(name, unit, meaning, 0, typical, name) for name, unit, meaning, typical in tables.COMMON)
         self.parameters = (*own, *shared)
-        free = [p.name for p in own if not p.name.startswith("beta_") or self._parallel(p.limb - 1)]
+        free = [p.name for p in own if p.error != HAYATI or self._parallel(p.limb - 1)]
         self.models = {f"{self.name}/dh": (*free, *self.common)}
 
     def _described(self) -> tuple[np.ndarray, np.ndarray, Array]:

@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from deltacal_gen.machine.chain import Chain
+from deltacal_gen.machine.chain import HAYATI, Chain
 from deltacal_gen.machine.registry import Array, load_mechanism
 from deltacal_gen.machine.values import Link
 from deltacal_gen.units import DEG
@@ -52,7 +52,7 @@ class Row(NamedTuple):
         table = np.zeros((1, 1, machine.width + len(machine.deflections)))
         for column, entry in enumerate(machine.geometry):
             table[..., column] = getattr(self, entry.key)
-        table[..., machine.column("alpha")], table[..., machine.column("beta")] = self.tilt, self.beta
+        table[..., machine.column("alpha")], table[..., machine.column(HAYATI)] = self.tilt, self.beta
         x, _ = machine.forward(np.zeros((1, 1)), np.zeros(3), table)
         out[:3, 3], out[:3, :3] = x[0, :3], x[0, 3:].reshape(3, 3)
         return out

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from deltacal_gen.machine.chain import HAYATI
 from deltacal_gen.machine.registry import Array, mechanism_of
 
 if TYPE_CHECKING:
@@ -41,10 +42,11 @@ def read_together(robot: Robot) -> list[tuple[int, int]]:
     """
     mechanism, found = mechanism_of(robot), []
     tables = [k for k, link in enumerate(robot.links) if link.kind in MOVING]
-    parallel = {name for name in mechanism.model(mechanism.full_model) if name.startswith("beta_")}
+    free = mechanism.model(mechanism.full_model)
+    parallel = {p.limb for p in mechanism.parameters if p.error == HAYATI and p.name in free}
     for i, (first, second) in enumerate(itertools.pairwise(tables)):
         between = first if robot.links[second].convention == "standard" else second
-        if second == first + 1 and f"beta_{between + 1}" in parallel:
+        if second == first + 1 and between + 1 in parallel:
             found.append((i, first + 1))
     return found
 

@@ -21,9 +21,10 @@ from deltacal_gen.machine.registry import SOLVED, STATUS, UNBALANCED, UNDEFINED,
 from deltacal_gen.machine.rotation import cayley_matrix
 from deltacal_gen.machine.values import Masses, Recording, Robot
 from deltacal_gen.physics.channels import Channels
-from deltacal_gen.physics.deformed import AXES, Deformed, carried, turned
+from deltacal_gen.physics.deformed import Deformed, carried, turned
 from deltacal_gen.physics.memory import Along, along
 from deltacal_gen.physics.parts import along_deflections, lacking, lacks
+from deltacal_gen.physics.targets import AXES, parts_of, target_of
 from deltacal_gen.physics.terms import Constant, Term, blank, partial, remembers
 from deltacal_gen.states import State
 from deltacal_gen.units import joint_factors
@@ -413,7 +414,7 @@ class Body:
         return self.moved(terms, self.state(states_read(terms), np.zeros((len(self.q), 12)), self.q, rows))
 
     def _rows(self, errors: Array, shift: Mapping[str, Array]) -> Array:
-        parts = {t[5:]: v for t, v in shift.items() if t.startswith("limb.")}
+        parts = {target_of(t).part: v for t, v in shift.items() if target_of(t).sort == "limb"}
         base = self.mechanism.rows(self.robot, errors)
         if not parts:
             return base
@@ -467,8 +468,8 @@ class Body:
             own = [i - 1 for i in forms[0].limbs] or list(range(limbs))
             D = D.reshape(len(forms), N, limbs, len(kernels.TARGETS), -1)[:, chosen][:, :, own]
             moved = np.empty((len(chosen), n_x, len(forms), len(own), D.shape[-1]))
-            for j, target in enumerate(kernels.TARGETS):
-                S = sensitivity.joints if target == "joint" else self.along(sensitivity, target[5:], every)
+            for j, target in enumerate(map(target_of, kernels.TARGETS)):
+                S = self.along(sensitivity, target.part, every) if target.part else sensitivity.joints
                 S, by = S[:, :, None, own, None], np.moveaxis(D[:, :, :, j], 0, 1)[:, None]
                 if j:
                     moved += S * by
@@ -479,7 +480,7 @@ class Body:
 
     def _deflects(self, term: Term) -> bool:
         """Tell whether an effect moves deflections of limbs."""
-        parts = (target[5:] for target in term.kernels.TARGETS if target.startswith("limb."))
+        parts = parts_of(term.kernels.TARGETS)
         return any(name in self.mechanism.deflections for part in parts for name in self.moves[part])
 
     def along(self, sensitivity: Sensitivity, part: str, limbs: Sequence[int]) -> Array:
@@ -502,8 +503,8 @@ class Body:
         if term.kernels.ACTS_ON == "reading" or n_x != self.mechanism.n_x:  # what moves the platform moves no joint
             return out
         D = self.by_coefficients(term, state)
-        for j, target in enumerate(term.kernels.TARGETS):
-            out += carried(target, body)[:, :, None] * D[:, None, j, :]
+        for j, name in enumerate(term.kernels.TARGETS):
+            out += carried(target_of(name), body)[:, :, None] * D[:, None, j, :]
         keep = np.zeros(len(out), dtype=bool)
         keep[chosen] = True
         out[~keep] = 0.0

@@ -8,8 +8,7 @@ import numpy as np
 
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.rotation import cayley_matrix, spin, swept
-
-AXES = ("x", "y", "z")
+from deltacal_gen.physics.targets import Target
 
 
 class Deformed(NamedTuple):
@@ -38,10 +37,10 @@ class Deformed(NamedTuple):
         return x if self.turn is None else turned(x, cayley_matrix(-self.turn))
 
 
-def carried(target: str, machine: Deformed) -> Array:
+def carried(target: Target, machine: Deformed) -> Array:
     """Return the derivative (N, 6) of the pose by a turn of the base, or by a shift of the measured point."""
-    axis, x = AXES.index(target[-1]), np.nan_to_num(machine.x)
-    if target.startswith("tool."):
+    axis, x = target.axis, np.nan_to_num(machine.x)
+    if target.sort == "tool":
         return np.hstack([x[:, 3:].reshape(-1, 3, 3)[:, :, axis], np.zeros((len(x), 3))])
     turn = np.zeros((len(x), 3)) if machine.turn is None else machine.turn
     unit = spin(turn)[:, :, axis]

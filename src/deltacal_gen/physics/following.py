@@ -13,7 +13,8 @@ import numpy as np
 
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.body import Body, by_limb, follows, states_read
-from deltacal_gen.physics.deformed import AXES, Deformed, carried
+from deltacal_gen.physics.deformed import Deformed, carried
+from deltacal_gen.physics.targets import target_of
 from deltacal_gen.physics.terms import Term
 
 STEP = 1e-4  # mm or rad: by which a machine is displaced to see how its loads follow
@@ -78,15 +79,15 @@ def _displaced(body: Body, machine: Deformed, place: Place) -> tuple[Array, Arra
 
     A turn of the base turns what is read, and no load: it comes last; see `Body.solve`.
     """
-    target, j = place
-    q, tool, rows = machine.q, machine.tool, machine.rows
-    if target == "joint":
+    name, j = place
+    target, q, tool, rows = target_of(name), machine.q, machine.tool, machine.rows
+    if target.sort == "joint":
         q = q + STEP * np.eye(body.mechanism.limbs)[j]
-    elif target.startswith("tool."):
-        tool = tool + STEP * np.eye(3)[AXES.index(target[-1])]
-    elif target.startswith("limb."):
+    elif target.sort == "tool":
+        tool = tool + STEP * np.eye(3)[target.axis]
+    elif target.sort == "limb":
         rows = rows.copy()
-        for name, much in body.moves[target[5:]].items():
+        for name, much in body.moves[target.part].items():
             rows[:, :, body.mechanism.column(name)] += STEP * much[:, j]
     return q, tool, rows
 
@@ -94,12 +95,13 @@ def _displaced(body: Body, machine: Deformed, place: Place) -> tuple[Array, Arra
 def _moving(body: Body, machine: Deformed, places: Sequence[Place]) -> Array:
     """Return the derivatives of the platform's coordinates by what effects move, (N, n_x, k)."""
     S = body.sensitivity(machine)
-    limbs = sorted({j + 1 for target, j in places if target.startswith("limb.")})
+    limbs = sorted({j + 1 for target, j in places if target_of(target).sort == "limb"})
 
-    def moved(target: str) -> Array:
-        if target == "joint":
+    def moved(name: str) -> Array:
+        target = target_of(name)
+        if target.sort == "joint":
             return S.joints
-        return body.along(S, target[5:], limbs) if target.startswith("limb.") else carried(target, machine)[:, :, None]
+        return body.along(S, target.part, limbs) if target.sort == "limb" else carried(target, machine)[:, :, None]
 
     by_target = {target: moved(target) for target, _ in places}
     return np.stack([by_target[target][:, :, j] for target, j in places], axis=2)

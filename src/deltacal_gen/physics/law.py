@@ -19,6 +19,7 @@ from deltacal_kernels.effects.targets import TARGETS
 from deltacal_gen import states
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.formula import Unit, formula, unit, written
+from deltacal_gen.physics.targets import target_of
 from deltacal_gen.states import State
 
 PREFIX = "law "
@@ -104,9 +105,13 @@ class Law:
         torque that is read as a current.
         """
         known = {s: unit(inside(states.named(s), joint_unit, read)) for s in self.STATE}
-        target = self.TARGETS[0]
-        of = {"joint": joint_unit, "torque": "N" if joint_unit == "mm" else "N mm"}.get(target)
-        return self.formula.units(known, unit(read or of or ("rad" if target.startswith("turn.") else "mm")))
+        return self.formula.units(known, unit(read or self.unit_moved(joint_unit)))
+
+    def unit_moved(self, joint_unit: str) -> str:
+        """Return the unit inside of what is moved, where joints are in `joint_unit` (rad or mm)."""
+        torque = "N" if joint_unit == "mm" else "N mm"
+        of = {"joint": joint_unit, "torque": torque, "turn": "rad"}
+        return of.get(target_of(self.TARGETS[0]).sort, "mm")
 
     def value(self, s: Array, c: Array, constants: Sequence[float | str] = ()) -> Array:
         """Return by how much the target is moved, (M, 1); s are states, then what is lagged."""

@@ -6,6 +6,7 @@ from collections.abc import Container
 
 from deltacal_gen import states
 from deltacal_gen.machine.registry import Machine
+from deltacal_gen.physics.targets import parts_of
 from deltacal_gen.physics.terms import Kernels, load_effect
 
 
@@ -50,7 +51,7 @@ def _without(
     """Return the parts, lengths and loads that each target of an effect needs and that are not there."""
     found = []
     for target, (_, read) in zip(kernels.TARGETS, kernels.PARTS, strict=True):
-        missing = [target[5:]] if target.startswith("limb.") and target[5:] not in moves else []
+        missing = [part for part in parts_of((target,)) if part not in moves]
         for s in map(states.named, read):
             unknown = s.kind == "geometry" and s.name not in roles
             if unknown or (s.kind == "load" and mechanism.weighs and not has_load(mechanism, s)):

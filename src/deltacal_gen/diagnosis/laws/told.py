@@ -139,13 +139,10 @@ def _curve(at: Fit, i: int, rest: Sequence[int], unsure: Unsure) -> LawCurve | N
     shown = drawn.value(level)
     ratio = np.divide(shown, now, out=np.ones_like(now), where=np.abs(now) > 1e-3 * np.abs(now).max())
     joint_unit = _joint_unit(at.problem.recording.joint_unit, limb)
-    target = (
-        "rad" if law.TARGETS[0].startswith("turn.") or (law.TARGETS[0] == "joint" and joint_unit == "rad") else "mm"
-    )
     return LawCurve(
         state=first,
         unit=written(unit(inside(named(first), joint_unit))),
-        target_unit=target,
+        target_unit=law.unit_moved(joint_unit),
         at=grid[first],
         value=drawn.value(grid),
         std=drawn.std(grid, level),
