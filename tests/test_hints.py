@@ -214,5 +214,10 @@ def test_hints_stand_on_the_page_with_what_decides(weak: Diagnosed) -> None:
         assert said in part
     assert f"The {len(entry.poses)} poses below: {entry.expected_chi2:.0f} of chi² are expected" in part
     assert "is noise. Nothing else is proven." in page
-    without = report.diagnosis(dataclasses.replace(weak, hints=()).answer())
+    assert "nothing is proven to be missing" in page
+    assert found.summary.startswith("Nothing is proven to be missing: ")
+    answer = dataclasses.replace(weak, hints=()).answer()
+    without = report.diagnosis(answer)
     assert "What may be there besides" not in without
+    assert "nothing is missing" in without
+    assert answer.summary.startswith("Nothing is missing: ")

@@ -332,8 +332,9 @@ def _summary(found: Diagnosed) -> str:
         )
     if found.verdict is Verdict.ADEQUATE:
         nothing = "Nothing" if _lasting(found) is None else "Nothing that was recorded"
+        surely = "is proven to be missing" if _hinted(found) else "is missing"
         return (
-            f"{nothing} is missing: what the calibrated geometry leaves, {decimals(before)} mm on held-out readings, "
+            f"{nothing} {surely}: what the calibrated geometry leaves, {decimals(before)} mm on held-out readings, "
             f"{_as_noise(found)}. {_use_of(found)}{_hinted(found)}"
         )
     turned = f"It may be {found.turned}: compare the signs of that column first. " if found.turned else ""

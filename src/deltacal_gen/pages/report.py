@@ -73,6 +73,7 @@ _NUMERIC |= {
     "share of variance",
 }  # and lengths
 _NUMERIC |= {"chance and search", "earns", "as drawn", "identified", "95 % of machines", "readings"}
+DOUBTED = "nothing is proven to be missing"  # where there are hints
 _VERDICTS = {
     Verdict.ADEQUATE: "nothing is missing",
     Verdict.MISSING_PHYSICS: "missing physics found",
@@ -99,7 +100,7 @@ def diagnosis(found: Diagnosis) -> str:
         title=f"{machine}: diagnosis",
         machine=machine,
         found=found,
-        verdict=_VERDICTS[found.verdict],
+        verdict=DOUBTED if found.verdict is Verdict.ADEQUATE and found.hints else _VERDICTS[found.verdict],
         headline=_headline(found),
         lead=_lead(found),
         steps=_steps(found),
