@@ -11,7 +11,7 @@ import pytest
 
 import deltacal_gen as dc
 from deltacal_gen.errors import InputError
-from deltacal_gen.motion import derivatives, kinds
+from deltacal_gen.motion import derivatives, kinds, trajectories
 from deltacal_gen.motion.lost import limits
 from deltacal_gen.physics import splines
 from tests.conftest import Run
@@ -124,6 +124,26 @@ def test_angles_that_begin_anew_after_a_turn_are_counted_on(recorded: Path, tmp_
     assert len(given.repairs) == 1
     assert "q1_deg jumps by a whole turn, here and" in given.repairs[0]
     assert given.repaired == ()
+
+
+@pytest.mark.parametrize("begins_anew", [False, True])
+def test_of_a_joint_that_spins_no_turn_is_taken_away(begins_anew: bool) -> None:
+    """Up to 250 deg from sample to sample, of which none was a turn; and at up to 170 each that begins anew is one."""
+    time = np.arange(0.0, 4.0, 0.01)
+    way = (170 if begins_anew else 250) * np.pi / 180 / 0.01 * (1 - np.cos(2 * np.pi * time / 2)) / 2
+    angles = np.cumsum(way * np.sign(np.sin(2 * np.pi * time / 4))) * 0.01
+    read_so = (angles + np.pi) % (2 * np.pi) - np.pi if begins_anew else angles.copy()
+    jumps = trajectories._counted_on(read_so, np.zeros(len(time), dtype=int))
+    assert np.abs(read_so - angles - (read_so - angles)[0]).max() < 1e-9
+    assert (len(jumps) > 50) == begins_anew
+
+
+def test_a_turn_that_was_lost_is_found_wherever_the_joint_may_turn() -> None:
+    time = np.arange(0.0, 4.0, 0.01)
+    angles = 4.0 * np.sin(2 * time)
+    read_so = angles + 2 * np.pi * (time > 2.0)
+    assert len(trajectories._counted_on(read_so, np.zeros(len(time), dtype=int))) == 1
+    assert np.abs(read_so - angles).max() < 1e-9
 
 
 def test_of_a_drive_whose_reading_never_changes_nothing_is_said(recorded: Path, tmp_path: Path) -> None:

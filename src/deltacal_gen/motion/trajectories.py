@@ -30,6 +30,7 @@ if TYPE_CHECKING:
 
 TURNS_ON = 5.0  # times what a joint ordinarily moves from sample to sample: so much it may beside a whole turn
 MOVES = 1e-2  # rad: what it may at least
+WITHIN = 0.01, 0.99  # quantiles between which angles lie: what begins anew after a turn never leaves it, but for spikes
 INSIDE = {"Nm": 1000.0, "N": 1.0, "A": 1.0, "1": 1.0}  # of a unit in files: N mm, N, A, 1
 
 
@@ -412,15 +413,18 @@ def _counted_on(angles: Array, piece: np.ndarray) -> np.ndarray:
     """Count the angles (N,) [rad] of a joint on where they begin anew after a turn; return the rows at which they do.
 
     From one sample to the next the joint goes on as it does elsewhere, but for whole turns. Movements are put where the
-    first of them is.
+    first of them is. A joint that spins fast moves on by a turn between samples: where angles lie further apart than
+    they jump, and the step is one of those that it makes, nothing begins anew.
     """
     step, within, whole = np.diff(angles), np.diff(piece) == 0, 2 * np.pi
     turns = np.where(within, np.round(step / whole), 0.0)
-    if not turns.any():
-        return np.empty(0, dtype=int)
     ordinary = np.abs(step[within & (turns == 0)])
-    usual = float(np.quantile(ordinary, 0.99)) if len(ordinary) else 0.0
-    turns[np.abs(step - whole * turns) > max(TURNS_ON * usual, MOVES)] = 0.0
+    if not turns.any() or not len(ordinary):
+        return np.empty(0, dtype=int)
+    goes = TURNS_ON * float(np.quantile(ordinary, 0.99))
+    low, high = np.quantile(angles, WITHIN)
+    spins = (high - low > whole * np.abs(turns)) & (np.abs(step) <= goes)
+    turns[spins | (np.abs(step - whole * turns) > max(goes, MOVES))] = 0.0
     if not turns.any():
         return np.empty(0, dtype=int)
     angles[1:] -= whole * np.cumsum(turns)
