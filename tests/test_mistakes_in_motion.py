@@ -14,6 +14,9 @@ from deltacal_gen.errors import InputError
 from deltacal_gen.files.robot import read_robot
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.motion import mistakes
+from deltacal_gen.motion.fit import fitted
+from deltacal_gen.motion.joint import USUAL
+from deltacal_gen.motion.library import Rung
 from deltacal_gen.motion.session import Session
 from deltacal_gen.motion.trajectories import read, read_sidecar
 from tests.motion_recordings import carried, usual, waves, written
@@ -111,6 +114,23 @@ def test_where_it_states_none_they_would_carry_more_than_steel(free: Path, tmp_p
     assert any("more than steel of such a size weighs: tau2_Nm may be in mNm" in doubt for doubt in doubts)
     assert "But joint 2 would carry" in dc.diagnose(tmp_path / "robot.toml", path)["summary"]
     assert dc.identify(free.parent / "robot.toml", free).doubts is None
+
+
+def test_what_is_quick_is_not_heavy(tmp_path: Path) -> None:
+    """A wheel of 70 kg mm^2 that a drive takes to 500 rad/s and back, again and again: of 60 g, not of half a kilo."""
+    t, rng = np.arange(0.0, 12.0, 0.002), np.random.default_rng(1)
+    q, qdd = -(500 / 8) * np.cos(8 * t), 500 * 8 * np.cos(8 * t)
+    tau = 7e-5 * qdd + 0.005 * np.sign(np.sin(8 * t)) + 0.005 * rng.standard_normal(len(t))
+    path = tmp_path / "recording.csv"
+    np.savetxt(path, np.column_stack([t, np.degrees(q), tau]), "%.6f", ",", header="time_s,q1_deg,tau1_Nm", comments="")
+    path.with_suffix(".toml").write_text('[measurement]\nkind = "torque"\n')
+    (tmp_path / "robot.toml").write_text(
+        '[robot]\nname = "wheel"\nmechanism = "serial"\n\n[[joint]]\nkind = "revolute"\nconvention = "standard"\n'
+        "a = 0.0\nalpha = 0.0\nd = 50.0\ntheta = 0.0\n"
+    )
+    session = session_of(path)
+    fits = [fitted(joint, [Rung(name) for name in USUAL]) for joint in session.moving]
+    assert list(mistakes.too_heavy(session, fits)) == []
 
 
 def in_radians(table: dict[str, Any]) -> None:

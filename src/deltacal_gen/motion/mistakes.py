@@ -52,12 +52,26 @@ def too_heavy(session: Session, fits: Sequence[Fit]) -> Iterator[str]:
     size, g = robot_size(session.robot), float(np.linalg.norm(session.rigid.dynamics.gravity))
     for fit in fits if size > 0 and g > 0 else ():
         column, unit = session.given.columns[fit.joint.number - 1], fit.joint.unit
-        carried = float(np.median(np.abs(fit.load))) / g / (size if unit == "Nm" else 1.0)  # kg, at the farthest
+        per_kg = (g + _shaken(session, fit.joint, size)) * (size if unit == "Nm" else 1.0)
+        carried = float(np.median(np.abs(fit.load) / per_kg))  # kg, at the farthest
         if unit in ("Nm", "N") and carried > STEEL * (size / 2) ** 3:
             yield (
                 f"joint {fit.joint.number} would carry {carried:.3g} kg at the end of its links, more than steel of "
                 f"such a size weighs: {column} may be in m{unit}"
             )
+
+
+def _shaken(session: Session, joint: Joint, size: float) -> Array:
+    """Return the acceleration (M,) [m/s^2], at most, against which a joint moves what is `size` [mm] away from it.
+
+    What its own speed does points to its axis, and is no torque about it.
+    """
+    _, speeds, accelerations = np.abs(np.nan_to_num(session.motion.states[:, joint.rows]))
+    turns = np.array(of_joints(session.given.joint_unit, speeds.shape[1])) == "rad"
+    own = joint.number - 1
+    pulls = speeds[:, turns].sum(axis=1) ** 2 - (speeds[:, own] ** 2 if turns[own] else 0.0)
+    mm = size * (accelerations[:, turns].sum(axis=1) + pulls) + accelerations[:, ~turns].sum(axis=1)
+    return np.asarray(mm / 1000)
 
 
 def sizes_alone(fits: Sequence[Fit]) -> Iterator[str]:
