@@ -70,6 +70,16 @@ def test_a_stop_between_two_samples_takes_no_part(recorded: Path) -> None:
     assert "cuts" not in derivatives.motion(moving.read(robot())).text
 
 
+@pytest.mark.parametrize("share", [0.01, 0.1])
+def test_samples_that_were_read_late_are_no_turns(share: float) -> None:
+    """A log that asks more often than a drive answers says some angles late: next to each, all was taken for a stop."""
+    t, rng = np.arange(0, 6.0, STEP), np.random.default_rng(5)
+    when = t - 0.6 * STEP * (rng.random(len(t)) < share)
+    late = (np.sin(2 * when) + 0.5 * np.sin(5 * when))[:, None] + 3e-5 * rng.standard_normal((len(t), 1))
+    given = splines.Samples(late, t, np.zeros(len(t), dtype=int))
+    assert not splines.cut(given, splines.smooth(given, 0.08, 1), 0.08, ["rad"]).any()
+
+
 def changed(recorded: Path, folder: Path, change: Callable[[list[str]], list[str]], sidecar: str = "") -> Path:
     path = folder / "recording.csv"
     path.write_text("\n".join(change(recorded.read_text().splitlines())) + "\n")

@@ -29,6 +29,7 @@ RATIO = 2**0.5  # between spacings that are looked at
 LEAST = 2 * (DEGREE + 1)  # samples of a piece
 FAR = 6.0  # standard deviations of a speed from samples alone: what it differs by more is no noise
 PART = 0.1  # of the highest speed: and a turn that a low-pass cuts
+ALIKE = 0.5  # of the greater: what the speeds before and behind a sample must differ by, for a turn and no late sample
 CALM, OF_ALL = 0.9, 0.79  # quantile of misfits below which no turn is cut, and their rms of that of all, of white noise
 HIGHEST = 0.99  # quantile of speeds that is meant by highest
 AS_MUCH = 0.1  # of the motion of the series that moves most
@@ -194,7 +195,8 @@ def cut(given: Samples, fitted: Array, spacing: float, units: Sequence[str]) -> 
     """Tell which samples (N,) lie within `LOOSE` knots of a turn that the low-pass `fitted` (orders, N, k) cuts.
 
     Its derivatives there are of its own making: a joint that stops from one sample to the next is slow before, and goes
-    on behind. Such a turn is seen in speeds from the sample before to the one after, which are noisy, but of no knots.
+    on behind. Such a turn is seen in speeds from the sample before and to the one after, which are noisy, but of no
+    knots. A sample that was read late makes the joint too slow on its one side and too quick on the other: no turn.
     """
     found = np.zeros(len(given.time), dtype=bool)
     counted, highest = moving(given.values, units), np.nanquantile(np.abs(fitted[1]), HIGHEST, axis=0)
@@ -203,8 +205,10 @@ def cut(given: Samples, fitted: Array, spacing: float, units: Sequence[str]) -> 
     noisy = FAR * noise(calm, fitted[0], given.step, spacing) / OF_ALL / (np.sqrt(2.0) * given.step)
     for own in given.pieces:
         time, values, within = given.time[own], given.values[own], own[1:-1]
-        speeds = (values[2:] - values[:-2]) / (time[2:] - time[:-2])[:, None]
-        turns = np.abs(speeds - fitted[1, within]) > np.maximum(noisy, PART * highest)
+        speeds = np.diff(values, axis=0) / np.diff(time)[:, None]
+        before, behind = speeds[:-1] - fitted[1, within], speeds[1:] - fitted[1, within]
+        agreed = before * behind >= ALIKE * np.maximum(before**2, behind**2)
+        turns = agreed & (np.abs(before + behind) / 2 > np.maximum(noisy, PART * highest))
         at = given.time[within[turns[:, counted].any(axis=1)]]
         if len(at):
             next_one = np.searchsorted(at, time).clip(max=len(at) - 1)
