@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -114,6 +115,30 @@ def test_what_is_put_right_is_said(recorded: Path, tmp_path: Path) -> None:
     twice = read(changed(recorded, tmp_path, with_cell(100, 1, "0.970000")))
     assert twice.repairs[0].endswith("100: the time of the row before once more; the row is left out")
     assert twice.n_rows == overflow.n_rows - 1
+
+
+def of_three_runs(*rows: int) -> Callable[[list[str]], list[str]]:
+    def change(lines: list[str]) -> list[str]:
+        each = [[line for line in lines if line.startswith(f"{run},")] for run in (1, 2, 3)]
+        return [lines[0], *(line for own, count in zip(each, rows, strict=True) for line in own[:count])]
+
+    return change
+
+
+def test_a_run_of_which_hardly_anything_is_left_is_not_counted(recorded: Path, tmp_path: Path) -> None:
+    """Three were there, three were asked for: of the shortest, all but some samples lie too near its ends."""
+    with pytest.raises(InputError) as refused:
+        dc.diagnose(robot(), changed(recorded, tmp_path, of_three_runs(70, 70, 20)))
+    assert "in 2 runs long enough to count" in refused.value.problem
+    assert re.search(r"beside the first and last 0\.\d+ s of each", refused.value.remedy)
+
+
+@pytest.mark.parametrize("rows", [75, 85])
+def test_a_delay_that_leaves_no_samples_enough_is_none(recorded: Path, tmp_path: Path, rows: int) -> None:
+    """Each movement loses some at its beginning: of these, what was left made no folds, and was divided by."""
+    found = dc.diagnose(robot(), changed(recorded, tmp_path, of_three_runs(rows, rows, 24)))
+    assert found.verdict != "adequate"
+    assert all(effect.name != "latency" for effect in found.effects)
 
 
 def of_column(column: int, value: Callable[[float], float]) -> Callable[[list[str]], list[str]]:

@@ -96,7 +96,10 @@ def _lag(joint: Joint, rungs: Sequence[Rung], load: np.ndarray, folds: Sequence[
     series, delay = joint.series, joint.delay
     for _ in range(ROUNDS):
         here = series.at(delay)
-        X, (per_second, of_known) = _columns(here, rungs), _by_delay(here, rungs)
+        sides = series.at(delay + here.step), series.at(delay - here.step)
+        if not all(_tells(at, folds) for at in (here, *sides)):
+            return None
+        X, (per_second, of_known) = _columns(here, rungs), _by_delay(here, sides, rungs)
         bench = here.bench(X)
         every = range(X.shape[1])
         bench = bench.with_ridge(every)
@@ -123,9 +126,11 @@ def _lag(joint: Joint, rungs: Sequence[Rung], load: np.ndarray, folds: Sequence[
     return None
 
 
-def _told(joint: Joint, rungs: Sequence[Rung], delay: float, std: float, together: float) -> Lag:
+def _told(joint: Joint, rungs: Sequence[Rung], delay: float, std: float, together: float) -> Lag | None:
     """Return a delay with what it takes away of held-out samples, and of the chi2 of all."""
     late, now = joint.series.at(delay), joint.series.at(0.0)
+    if not _tells(late):
+        return None
     held, left = [], []
     for at in (now, late):
         X = _columns(at, rungs)
@@ -137,18 +142,25 @@ def _told(joint: Joint, rungs: Sequence[Rung], delay: float, std: float, togethe
     return Lag(delay, std, 1.0 - float(np.sqrt(held[1] / held[0])), gain)
 
 
+def _tells(joint: Joint, folds: Sequence[int] | None = None) -> bool:
+    """Tell whether a delay leaves samples enough, in each of some folds: each run loses some at its beginning."""
+    return joint.moves and set(folds or ()) <= set(joint.fold.tolist())
+
+
 def _columns(joint: Joint, rungs: Sequence[Rung]) -> np.ndarray:
     return joint.columns(rungs, joint.load_by(None))
 
 
-def _by_delay(joint: Joint, rungs: Sequence[Rung]) -> tuple[np.ndarray, np.ndarray]:
-    """Return the derivatives of the columns (M, p), and of what is known (M,), by the delay: central differences."""
-    step, sides = joint.step, []
-    for side in (step, -step):
-        other = joint.series.at(joint.delay + side)
+def _by_delay(joint: Joint, sides: Sequence[Joint], rungs: Sequence[Rung]) -> tuple[np.ndarray, np.ndarray]:
+    """Return the derivatives of the columns (M, p), and of what is known (M,), by the delay: central differences.
+
+    `sides` are the joint a sample later and earlier.
+    """
+    values = []
+    for other in sides:
         columns = np.column_stack([_columns(other, rungs), other.carried])
         whole = np.full((len(joint.used), columns.shape[1]), np.nan)
         whole[other.rows] = columns
-        sides.append(whole[joint.rows])
-    found = np.nan_to_num((sides[0] - sides[1]) / (2 * step))
+        values.append(whole[joint.rows])
+    found = np.nan_to_num((values[0] - values[1]) / (2 * joint.step))
     return found[:, :-1], found[:, -1]

@@ -18,9 +18,10 @@ from deltacal_gen.motion.fit import Fit
 from deltacal_gen.motion.joint import FEW, Joint, Series, series_of
 from deltacal_gen.motion.lost import without_lost
 from deltacal_gen.motion.payload import PayloadError, payload_error, torque_of
-from deltacal_gen.motion.regression import GAP, LEAST_RUNS, STRETCH
+from deltacal_gen.motion.regression import GAP, LEAST_RUNS, PART, STRETCH
 from deltacal_gen.motion.rigid import Rigid
 from deltacal_gen.motion.trajectories import Motion, Trajectories
+from deltacal_gen.physics.splines import LOOSE
 from deltacal_gen.results.diagnosis import NextMeasurement
 from deltacal_gen.results.motion import (
     Derivatives,
@@ -114,7 +115,7 @@ class Session:
                 f"no joint moves for long enough: {self._most()}. Friction at rest is not known, and a part of what "
                 "moves must be held out.",
                 f"Record {LEAST_RUNS} runs or more, or one of at least ten seconds, in which joints move for {FEW} "
-                "samples at least.",
+                f"samples at least{self._ends()}.",
                 file=self.given.path,
             )
         return found
@@ -125,10 +126,19 @@ class Session:
         column = self.given.columns[most.number - 1]
         if most.unread:
             return f"{column} holds readings in fewer than {FEW} rows"
-        runs, count = len(np.unique(self.given.run[most.rows])), len(most.rows)
+        count, each = len(most.rows), np.bincount(self.given.run[most.rows], minlength=1)
+        runs = int((each > PART * count / max(int(np.count_nonzero(each)), 1)).sum())
         return (
             f"joint {most.number} does in {count} samples with a reading, {count * most.step:.2g} s in {runs} "
-            f"run{'' if runs == 1 else 's'}"
+            f"run{'' if runs == 1 else 's'} long enough to count"
+        )
+
+    def _ends(self) -> str:
+        """Return in words what of each run makes no derivatives."""
+        if self.motion.cutoff is None:
+            return ""
+        return (
+            f", beside the first and last {LOOSE / (2 * self.motion.cutoff):.2g} s of each, whose speeds are not known"
         )
 
     def rms(self, joint: Joint, residual: Array) -> float | None:
