@@ -117,6 +117,14 @@ def test_what_is_put_right_is_said(recorded: Path, tmp_path: Path) -> None:
     assert twice.n_rows == overflow.n_rows - 1
 
 
+def test_of_speeds_alone_it_is_said_how_angles_are_made(recorded: Path, tmp_path: Path) -> None:
+    path = changed(recorded, tmp_path, lambda lines: [lines[0].replace(",q2_deg", ",qd2_deg_s"), *lines[1:]])
+    with pytest.raises(InputError) as refused:
+        read(path)
+    assert refused.value.column == "q2_deg"
+    assert "qd2_deg_s times the interval" in refused.value.remedy
+
+
 def of_three_runs(*rows: int) -> Callable[[list[str]], list[str]]:
     def change(lines: list[str]) -> list[str]:
         each = [[line for line in lines if line.startswith(f"{run},")] for run in (1, 2, 3)]

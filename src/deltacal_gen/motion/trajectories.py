@@ -272,6 +272,7 @@ def trajectories(rows: Rows, machine: Machine, sidecar: Sidecar, *, need_measure
     unit, limbs = machine.joint_unit, machine.limbs
     factors, names = np.array(joint_factors(unit, limbs)), joint_names(unit, limbs)
     columns, units = _read_columns(rows, machine, need_measured)
+    _not_speeds_alone(rows, names, joint_names(unit, limbs, SPEEDS))
     joints = rows.numbers(*names, blank=False)
     readings = _numbers(rows, columns)
     time, run = time[kept], run[kept]
@@ -385,6 +386,18 @@ def _read_columns(rows: Rows, machine: Machine, needed: bool) -> tuple[tuple[str
     if present:
         rows.require(*columns)
     return tuple(columns), tuple(units)
+
+
+def _not_speeds_alone(rows: Rows, joints: Sequence[str], speeds: Sequence[str]) -> None:
+    """Raise an InputError for a joint of which only speeds are there: angles can be made of them."""
+    for joint, speed in zip(joints, speeds, strict=True):
+        if joint not in rows.columns and speed in rows.columns:
+            raise rows.error(
+                "the column is missing; only speeds of this joint are there.",
+                f"Add it, {speed} times the interval summed up from row to row: where that begins matters only where "
+                'weight or stops do. derivatives = "velocity recorded" under [motion] then takes the speeds as given.',
+                column=joint,
+            )
 
 
 def _numbers(rows: Rows, names: Any) -> Array:
