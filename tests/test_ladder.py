@@ -75,6 +75,7 @@ def test_what_bodies_take_up_in_a_fit_and_do_not_foretell_is_of_the_drive() -> N
     assert known.gain([0, 1], 1, range(FOLDS)) < known.charge(1)
     assert known.foretells([0, 1], 1, range(FOLDS)) > 3 * known.charge(1)
     assert known.climb(range(FOLDS)) == [0, 1]
+    assert known.earned([0, 1], 1, range(FOLDS)) == known.foretells([0, 1], 1, range(FOLDS))  # what answers tell
 
 
 def test_what_a_ridge_presumes_is_no_knowledge() -> None:

@@ -56,7 +56,7 @@ class Fit:
     bought : tuple of float
         Part of the held-out rms that each rung takes away beside the others.
     gains : tuple of float
-        Of chi2, likewise.
+        Of chi2, likewise: in a fit, or where that does not pay for the rung on samples it took no part in.
     alike : tuple of tuple of str
         Effects that would do as well in place of each.
     passed_over : tuple of LookedAt
@@ -124,7 +124,7 @@ class Fit:
         return dataclasses.replace(
             self,
             bought=tuple(ladder.buys(every, k, ladder.bench.folds) for k in every),
-            gains=tuple(ladder.gain(every, k, ladder.bench.folds) for k in every),
+            gains=tuple(ladder.earned(every, k, ladder.bench.folds) for k in every),
             passed_over=ladder.passed_over(every, ladder.bench.folds),
         )
 
@@ -223,7 +223,7 @@ def climbed(joint: Joint) -> Fit:
     return dataclasses.replace(
         fit,
         bought=tuple(ladder.buys(chosen, k, bench.folds) for k in chosen),
-        gains=tuple(ladder.gain(chosen, k, bench.folds) for k in chosen),
+        gains=tuple(ladder.earned(chosen, k, bench.folds) for k in chosen),
         alike=tuple(ladder.alike(chosen, k) for k in chosen),
         passed_over=ladder.passed_over(chosen, bench.folds),
         first=ladder.first(bench.folds),

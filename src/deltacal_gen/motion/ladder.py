@@ -303,12 +303,14 @@ class Ladder:
             least = min(self.impossible(chosen, folds) or chosen, key=bought.__getitem__)
             if bought[least] >= BUYS and not self.impossible(chosen, folds):
                 unpaid = [k for k in chosen if self.rungs[k].effect in BEGUN_WITH]
-                earned = {k: self._earned(chosen, k, folds) - self.charge(k) for k in unpaid}
+                earned = {k: self.earned(chosen, k, folds) - self.charge(k) for k in unpaid}
                 least = min(earned, key=earned.__getitem__, default=-1)
                 if least < 0 or earned[least] > 0:
                     break
             chosen = [k for k in chosen if k != least]
         return chosen
 
-    def _earned(self, chosen: Sequence[int], rung: int, folds: Sequence[int]) -> float:
-        return max(self.gain(chosen, rung, folds), self.foretells(chosen, rung, folds))
+    def earned(self, chosen: Sequence[int], rung: int, folds: Sequence[int]) -> float:
+        """Return what a rung earns in chi2: in a fit, or where that does not pay for it on folds it took no part in."""
+        gain = self.gain(chosen, rung, folds)
+        return gain if gain > self.charge(rung) else max(gain, self.foretells(chosen, rung, folds))
