@@ -19,6 +19,7 @@ from deltacal_gen.app import commands
 from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.files.robot import Robot
+from deltacal_gen.identification.accuracy import workspace_of
 from deltacal_gen.machine.limbs import SETTLED_MM
 from deltacal_gen.machine.registry import SOLVED, UNREACHABLE, Machine
 from deltacal_gen.physics.body import Body
@@ -27,7 +28,7 @@ from deltacal_gen.physics.terms import Term, blank, displaces_points, effect_nam
 from deltacal_gen.results.reader import read_result
 from deltacal_gen.units import DEG
 from deltacal_gen.use.compensation import Compensator
-from deltacal_gen.use.exports import export_c
+from deltacal_gen.use.exports import NOT_A_NUMBER, export_c
 from deltacal_gen.use.spans import Spans, spans
 from deltacal_gen.use.tables import export_table, read_table
 from tests.every_effect import ON_MACHINES, channels, constants, machine_with, machines, sized, targets
@@ -301,6 +302,82 @@ def test_the_exported_c_leaves_what_it_states(machine: Robot, names: tuple[str, 
     far = (ctypes.c_double * 3)(0.0, 0.0, -5000.0)
     assert function(far, ctypes.byref(At(20.0, 0.0, 0.0, (ctypes.c_double * 3)())), untouched) == UNREACHABLE
     assert list(untouched) == [7.0, 7.0, 7.0]
+
+    same = (ctypes.c_double * 3)(*targets[0])  # joints may take the place of their target
+    approach = (ctypes.c_double * 3)(*(given[f"approach{i}"][0] for i in (1, 2, 3)))
+    first = At(given["temp_C"][0], given["payload_kg"][0], given["time_s"][0], approach)
+    assert function(same, ctypes.byref(first), same) == SOLVED
+    assert list(same) == joints[0].tolist()
+
+    # the points that the header gives for a check after installation
+    numbers = [float(v) for v in re.findall(r"^ \* +\.\w+ = ([-\d.]+),", text, re.M)]
+    at, checked = At(*numbers, (ctypes.c_double * 3)(1.0, 1.0, 1.0)), text.partition("of deltacal_command")[2]
+    checks = re.findall(r"\((\S+), (\S+), (\S+)\) mm -> \((\S+), (\S+), (\S+)\) deg", checked)
+    assert len(checks) == 3
+    for row in np.array(checks, dtype=float):
+        out = (ctypes.c_double * 3)()
+        assert function((ctypes.c_double * 3)(*row[:3]), ctypes.byref(at), out) == SOLVED
+        assert np.abs(np.array(out) - row[3:]).max() < 1e-8
+
+
+@pytest.mark.skipif(COMPILER is None, reason="no C compiler on this machine")
+def test_a_channel_that_is_no_number_commands_nothing(machine: Robot, tmp_path: Path) -> None:
+    function = compiled(machine, ("thermal_growth", "joint_compliance", "backlash"), tmp_path)
+    for bad in (np.nan, np.inf, -np.inf):
+        for field in ("temp_C", "payload_kg", "approach"):
+            at = At(20.0, 1.0, 0.0, (ctypes.c_double * 3)(1.0, 1.0, 1.0))
+            setattr(at, field, (ctypes.c_double * 3)(1.0, bad, 1.0) if field == "approach" else bad)
+            untouched = (ctypes.c_double * 3)(7.0, 7.0, 7.0)
+            target = (ctypes.c_double * 3)(*scattered(machine, 1, 3)[0])
+            assert function(target, ctypes.byref(at), untouched) == NOT_A_NUMBER
+            assert list(untouched) == [7.0, 7.0, 7.0]
+    unread = At(20.0, 1.0, np.nan, (ctypes.c_double * 3)(1.0, 1.0, 1.0))
+    assert function(target, ctypes.byref(unread), untouched) == SOLVED
+
+
+@pytest.mark.skipif(COMPILER is None, reason="no C compiler on this machine")
+def test_corrections_far_beside_the_workspace_do_not_run_away(machine: Robot, tmp_path: Path) -> None:
+    """A polynomial of degree 6 does, where it was not fitted: at 1.6 times the workspace to 2.7 times what it is."""
+    function = compiled(machine, ("thermal_growth", "base_compliance"), tmp_path)
+    at = At(35.0, 3.0, 0.0, (ctypes.c_double * 3)())
+    centre, half = workspace_of(machine).box
+    turns = np.linspace(0.0, 2 * np.pi, 24)
+    rim = np.column_stack([np.cos(turns), np.sin(turns), np.ones(24)])
+    largest = []
+    for part in (1.0, 1.6):
+        places = centre + part * half * rim
+        rigid, status = Compensator(machine).command(places)
+        assert (status == SOLVED).any()
+        change = []
+        for k in np.flatnonzero(status == SOLVED):
+            out = (ctypes.c_double * 3)()
+            assert function((ctypes.c_double * 3)(*places[k]), ctypes.byref(at), out) == SOLVED
+            change.append(np.abs(np.array(out) - rigid[k] / DEG).max())
+        largest.append(max(change))
+    assert largest[1] < 2.0 * largest[0]
+
+
+def compiled(machine: Robot, names: tuple[str, ...], folder: Path) -> Any:
+    """Return the exported command of a machine with effects."""
+    source = folder / "command.c"
+    export_c(Compensator(machine, terms=tuple(map(term, names))), source, OVER)
+    library = source.with_suffix(".so")
+    flags = ("-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-O2", "-shared", "-fPIC")
+    subprocess.run([str(COMPILER), *flags, "-o", str(library), str(source), "-lm"], check=True)
+    return ctypes.CDLL(str(library)).deltacal_command
+
+
+@pytest.mark.skipif(COMPILER is None, reason="no C compiler on this machine")
+@pytest.mark.parametrize("flags", [("-ffast-math",), ("-Ofast",), ("-D__DBL_DIG__=6",)])
+def test_a_build_that_drops_what_the_file_rests_on_stops(
+    machine: Robot, flags: tuple[str, ...], tmp_path: Path
+) -> None:
+    source = tmp_path / "command.c"
+    export_c(Compensator(machine), source)
+    for extra, built in (((), True), (flags, False)):
+        command = [str(COMPILER), "-std=c99", *extra, "-fsyntax-only", str(source)]
+        done = subprocess.run(command, capture_output=True, text=True)
+        assert (done.returncode == 0) is built, done.stderr
 
 
 def test_a_table_holds_the_channels_too(machine: Robot, tmp_path: Path) -> None:

@@ -12,6 +12,7 @@ from deltacal_gen.files.robot import Robot
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.use.compensation import Compensator
 from deltacal_gen.use.prediction import predict
+from deltacal_gen.use.spans import spans
 from tests.left_out import channels, effect, machine, record
 
 BEFORE = 1.7e9  # s: from 1970 on
@@ -42,6 +43,9 @@ def test_a_drift_is_found_and_predicted_all_the_same(robot: Robot, drifting: Rec
     assert (plain.begun_s, late.begun_s) == (0.0, BEFORE + drifting.channels["time_s"].min())
     after = dataclasses.replace(drifting, channels={k: v + 1800.0 for k, v in drifting.channels.items()})
     assert predict(late, stamped(after)).measured == pytest.approx(predict(plain, after).measured, abs=1e-3)
+    over = [spans(found).known["time"] for found in (plain, late)]  # what exports are made over [h]
+    assert over[1] == pytest.approx(np.subtract(over[0], over[0][0]), abs=1e-9)
+    assert f"time_s {late.begun_s:.15g} to" in spans(late).in_channels(late.begun_s)
     x, hour = np.array([[50.0, 20.0, -900.0]]), 3600.0 + drifting.channels["time_s"].min()
     plainly, stampedly = Compensator(plain), Compensator(late)
     at = plainly.channels({"time_s": hour}, 1)[0], stampedly.channels({"time_s": BEFORE + hour}, 1)[0]

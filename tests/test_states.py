@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import dataclasses
+import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -21,7 +22,7 @@ from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.motion import library as motion_library
 from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.channels import Channels
-from deltacal_gen.physics.terms import Constant, Term, drive_effect_names, effect_names, load_effect, scaled
+from deltacal_gen.physics.terms import Constant, Term, blank, drive_effect_names, effect_names, load_effect, scaled
 from deltacal_gen.units import DEG, joint_names
 from deltacal_gen.use.compensation import Compensator
 from deltacal_gen.use.exports import export_c
@@ -333,7 +334,28 @@ def test_an_export_asks_for_the_covariate(coupled: Effect, tmp_path: Path) -> No
     left = export_c(Compensator(machines()[0], terms=(term,)), source, over)
     text = source.read_text(encoding="utf-8")
     assert "    double oil_C;" in text
-    assert "payload 0 to 3 kg, oil_C 0 to 5 as recorded" in text
+    assert "payload_kg 0 to 3, oil_C 0 to 5;" in text  # as the struct has them
     assert "at->payload_kg * at->oil_C" in text
     assert left.worst_mm < 1e-3
     subprocess.run([str(COMPILER), "-std=c99", "-Wall", "-Werror", "-fsyntax-only", str(source)], check=True)
+
+
+@pytest.mark.parametrize(
+    ("column", "field"),
+    [
+        ("oil_C", "oil_C"),
+        ("switch", "recorded_switch"),
+        ("LIMB", "recorded_LIMB"),
+        ("2nd p [bar]", "recorded_2nd_p__bar_"),
+    ],
+)
+def test_a_column_that_c_takes_for_something_else_has_another_name_there(
+    tmp_path: Path, column: str, field: str
+) -> None:
+    tilting = blank("part_tilt", (), (column,)).with_values(np.array([1e-3, 1e-3]))
+    source = tmp_path / "command.c"
+    export_c(Compensator(machines()[0], terms=(tilting,)), source, Spans({column: (0.0, 5.0)}))
+    text = source.read_text(encoding="utf-8")
+    assert f"    double {field};" in text
+    assert re.search(rf"by\[\d\] = at->{field};", text)
+    assert f".{field} = 5.0," in text

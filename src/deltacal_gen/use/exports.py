@@ -26,8 +26,9 @@ from deltacal_gen.files.writing import write_files
 from deltacal_gen.identification.accuracy import turned, workspace_of
 from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.machine.places import at
-from deltacal_gen.machine.registry import COORDINATES, SOLVED, Array, Machine
+from deltacal_gen.machine.registry import COORDINATES, SOLVED, Array, Machine, mechanism_of
 from deltacal_gen.machine.rotation import to_vector
+from deltacal_gen.machine.values import Robot
 from deltacal_gen.physics.terms import Term
 from deltacal_gen.states import CHANNELS, STATES, State
 from deltacal_gen.units import DEG, file_unit, to_internal
@@ -47,8 +48,18 @@ from deltacal_gen.use.spans import (
     unit_of,
 )
 
+FARTHEST = 1.1  # of the workspace's half size: where the polynomials end, and stay what they are there
 DEGREE = 6  # of the polynomials over the workspace: 84 coefficients
 TURNS = 12  # of the fixed point in C: an effect of the joint angle that steepens by a tenth is then known to 1e-12
+NOT_A_NUMBER = 3  # a status, after those of the geometry
+BUILD = """#include <float.h>
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0) || defined(_M_FP_FAST)
+#error "built with -ffast-math, which drops the tests for what is out of reach and for what is no number"
+#endif
+#if DBL_DIG < 15
+#error "double has fewer than 64 bits here: nothing would converge, or nothing be as exact as stated"
+#endif
+"""
 _SOURCE = {CompensatorKind.EXACT: "inverse.c", CompensatorKind.LINEAR: "linear.c"}
 
 
@@ -99,7 +110,7 @@ def export_c(compensator: Compensator, path: str | Path, over: Spans | None = No
 class _Live:
     """The effects of a C export: polynomials for the columns, and the effects that stand in it as they were derived.
 
-    coefficients (columns, n_q, m) of the monomials `powers` (m, 3) in the position from `centre` in units of `half`.
+    coefficients (columns, n_q, m) of the monomials `powers` (m, 3) in the `_places` of positions.
     """
 
     compensator: Compensator
@@ -107,14 +118,10 @@ class _Live:
     columns: tuple[Column, ...]
     coefficients: Array
     powers: np.ndarray
-    centre: Array
-    half: Array
     known: tuple[Term, ...]
 
     @staticmethod
     def of(compensator: Compensator, over: Spans) -> _Live:
-        centre, half = workspace_of(compensator.robot).box
-        half = np.where(half > 0, half, 1.0)
         powers = np.array([e for e in itertools.product(range(DEGREE + 1), repeat=3) if sum(e) <= DEGREE])
         known = tuple(t for t in compensator.effects if _c_effect(t).is_file())
         others = [t for t in compensator.effects if not _c_effect(t).is_file()]
@@ -123,26 +130,42 @@ class _Live:
         rigid = replace(compensator, terms=()).command(points)[0] * compensator.robot.joint_sign
         found = taken_apart(compensator, points, columns, over, known, rigid)
         solved = np.isfinite(found).all(axis=(1, 2))
-        basis = np.prod(((points[:, :3] - centre) / half)[:, None, :] ** powers, axis=2)[solved]
+        basis = np.prod(_places(compensator, points)[:, None, :] ** powers, axis=2)[solved]
         fitted = np.linalg.lstsq(basis, found[solved].reshape(solved.sum(), -1), rcond=None)[0]
         coefficients = np.moveaxis(fitted.reshape(len(powers), *found.shape[1:]), 0, 2)
         # a column that nothing goes with is rounding
         kept = [k for k, c in enumerate(coefficients) if np.abs(c).max(initial=0.0) > 1e-13]
-        return _Live(
-            compensator, over, tuple(columns[k] for k in kept), coefficients[kept], powers, centre, half, known
-        )
+        return _Live(compensator, over, tuple(columns[k] for k in kept), coefficients[kept], powers, known)
 
     def command(self, points: Array, values: Mapping[str, Array | float]) -> Array:
         """Return joints (N, n_q) as the controller counts them [rad or mm], as the C file computes them."""
         sign = self.compensator.robot.joint_sign
         theta = replace(self.compensator, terms=()).command(points)[0] * sign
-        basis = np.prod(((points[:, :3] - self.centre) / self.half)[:, None, :] ** self.powers, axis=2)
+        basis = np.prod(_places(self.compensator, points)[:, None, :] ** self.powers, axis=2)
         for column, coefficients in zip(self.columns, self.coefficients, strict=True):
             theta = theta + np.reshape(factor(column, values), (-1, 1)) * (basis @ coefficients.T)
         at, q = channels_of(self.compensator, len(points), values), theta
         for _ in range(TURNS):
             q = theta - shift(self.compensator, q, at, self.known)
         return q * sign
+
+    @cached_property
+    def usual(self) -> tuple[dict[str, float], list[str]]:
+        """Channels within what was recorded, to check by: by the names of columns, and as C writes the struct."""
+        values: dict[str, float] = {}
+        fields: list[str] = []
+        for s in _fields(self.compensator):
+            if s.per == "joint":
+                names = s.columns(self.compensator.mechanism.joint_unit, self.compensator.mechanism.limbs)
+                values |= dict.fromkeys(names, 1.0)
+                fields.append(f".{_field(s)} = {{ {', '.join('1.0' for _ in names)} }}")
+            else:
+                scale, since = unit_of(s.name)[1], s.zero + (self.compensator.begun if s.passes else 0.0)
+                most = self.over.items().get(s.name, (0.0, 0.0))[1]
+                field = round(most * scale + since, 3)
+                values[s.name] = (field - since) / scale
+                fields.append(f".{_field(s)} = {field!r}")
+        return values, fields
 
     @cached_property
     def left(self) -> RoundTrip:
@@ -153,6 +176,24 @@ class _Live:
         at = channels_of(self.compensator, len(points), values)
         error = np.linalg.norm(self.compensator.missed(self.command(points, values), points, None, at), axis=1)
         return RoundTrip(largest(error), len(points), int(np.isnan(error).sum()))
+
+
+def _box(compensator: Compensator) -> tuple[Array, Array]:
+    """Return the centre of the workspace and its half size, 1 mm where it has none, (3,) each."""
+    centre, half = workspace_of(compensator.robot).box
+    return centre, np.where(half > 0, half, 1.0)
+
+
+def _places(compensator: Compensator, points: Array) -> Array:
+    """Return where positions lie in the workspace, (N, 3) from -1 to 1; far beside it, what is nearest.
+
+    A tenth beyond where it was fitted a polynomial errs by a few times what it leaves; farther on it grows without end.
+    """
+    centre, half = _box(compensator)
+    place = (points[:, :3] - centre) / half
+    if workspace_of(compensator.robot).radius is not None:
+        place[:, :2] /= np.maximum(np.hypot(place[:, 0], place[:, 1]) / FARTHEST, 1.0)[:, None]
+    return np.clip(place, -FARTHEST, FARTHEST)
 
 
 def _c_effect(term: Term) -> Traversable:
@@ -175,7 +216,7 @@ def c_source(compensator: Compensator, left: RoundTrip, live: _Live | None = Non
         f"static const double DELTACAL_SIGN[{limbs}] = {{ {c_numbers(robot.joint_sign)} }}; /* of the controller */\n"
     )
     comment = "\n".join(f" * {line}".rstrip() for line in _c_header(compensator, left, unit, live))
-    text = f"/*\n{comment}\n */\n{numbers}\n{body.read_text(encoding='utf-8')}"
+    text = f"/*\n{comment}\n */\n{BUILD}\n{numbers}\n{body.read_text(encoding='utf-8')}"
     return text if live is None else f"{text}\n{_c_command(live, unit)}"
 
 
@@ -185,12 +226,11 @@ def _c_command(live: _Live, unit: str) -> str:
     limbs, target = mechanism.limbs, f"target[{len(mechanism.asks)}]" if mechanism.turning else "target_mm[3]"
     files = dict.fromkeys(_c_effect(t) for t in live.known)
     sources = [f.read_text(encoding="utf-8") for f in files]
-    used = (s for t in live.compensator.effects for s in t.states)
-    covariates = [c for c in tabled(used) if c.base not in STATES]
-    factors = {s.name: _c_factor(s, live.compensator) for s in tabled((*CHANNELS, *covariates)) if s.per == "machine"}
+    read = _fields(live.compensator)
+    factors = {s.name: _c_factor(s, live.compensator) for s in read if s.per == "machine"}
     factors |= {
         s.column.format(i=i + 1): s.c99.format(i=i, sign="")
-        for s in tabled(CHANNELS)
+        for s in read
         for i in range(limbs if s.per == "joint" else 0)
     }
     body = [
@@ -199,29 +239,36 @@ def _c_command(live: _Live, unit: str) -> str:
         "{",
         f"    double theta[{limbs}], q[{limbs}];",
         f"    int i{', j, k' if n else ''}{', turn' if live.known else ''};",
-        f"    const int status = deltacal_compensate({target.partition('[')[0]}, joints_{unit});",
+        f"    const int status = deltacal_compensate({target.partition('[')[0]}, theta);",
         *([f"    double u[3][{DEGREE + 1}], by[{n}];"] if n else []),
         "    (void)(at);",
         "    if (status != DELTACAL_SOLVED)",
         "        return status;",
         f"    for (i = 0; i < {limbs}; i++)",
-        f"        theta[i] = DELTACAL_SIGN[i] * joints_{unit}[i] / JOINT_PER_UNIT;",
+        "        theta[i] = DELTACAL_SIGN[i] * theta[i] / JOINT_PER_UNIT;",
     ]
     body += _c_smooth(live, factors) if n else []
     body += [f"    for (i = 0; i < {limbs}; i++)", "        q[i] = theta[i];"]
     body += _c_known(live) if live.known else []
     body += [
         f"    for (i = 0; i < {limbs}; i++)",
+        "        if (!isfinite(q[i]))",
+        "            return DELTACAL_NOT_A_NUMBER;",
+        f"    for (i = 0; i < {limbs}; i++)",
         f"        joints_{unit}[i] = DELTACAL_SIGN[i] * q[i] * JOINT_PER_UNIT;",
         "    return DELTACAL_SOLVED;",
         "}",
     ]
+    begun = f", and effects count it from {live.compensator.begun!r} on" if live.compensator.begun else ""
     interface = [
-        "/* What commands depend on beside the target; approach is +1 or -1 as the controller counts, 0: not known. */",
+        f"#define DELTACAL_NOT_A_NUMBER {NOT_A_NUMBER}",
+        "/*",
+        " * What commands depend on beside the target. payload_kg is held at the reference point, time_s is read off",
+        f" * the recording's clock{begun}. approach is the way",
+        " * that a joint last moved, +1 or -1 as the controller counts; 0: not known, the middle of the play.",
+        " */",
         "struct deltacal_channels {",
-        f"    double {', '.join(dict.fromkeys(c.column for c in CHANNELS if c.c99 and c.per == 'machine'))};",
-        *(f"    double {c.column.format(i='')}[{limbs}];" for c in CHANNELS if c.c99 and c.per == "joint"),
-        *(f"    double {c.column};" for c in covariates),
+        *(f"    double {_field(s)}{f'[{limbs}]' if s.per == 'joint' else ''};" for s in read),
         "};",
     ]
     return "\n".join([*interface, "", *sources, *(_c_tables(live) if n else []), "", *body]) + "\n"
@@ -246,12 +293,19 @@ def _c_tables(live: _Live) -> list[str]:
 def _c_smooth(live: _Live, factors: Mapping[str, str]) -> list[str]:
     """Return the lines that add the polynomials to the joints; `factors` are channels as C writes them."""
     limbs, n, m = live.compensator.mechanism.limbs, len(live.columns), len(live.powers)
-    ends = zip(live.centre.tolist(), live.half.tolist(), strict=True)
+    ends = zip(*(values.tolist() for values in _box(live.compensator)), strict=True)
     place = [f"(target_mm[{i}] - {c!r}) / {h!r}" for i, (c, h) in enumerate(ends)]
+    rim = [
+        f"    u[0][0] = fmax(sqrt(u[0][1] * u[0][1] + u[1][1] * u[1][1]) / {FARTHEST}, 1.0);",
+        "    u[0][1] /= u[0][0];",
+        "    u[1][1] /= u[0][0];",
+    ]
     return [
         f"    {_c_each('u[{i}][1]', place)}",
+        *(rim if workspace_of(live.compensator.robot).radius is not None else []),
         "    for (i = 0; i < 3; i++) {",
         "        u[i][0] = 1.0;",
+        f"        u[i][1] = fmin(fmax(u[i][1], -{FARTHEST}), {FARTHEST}); /* of the workspace's half size */",
         f"        for (k = 2; k <= {DEGREE}; k++)",
         "            u[i][k] = u[i][k - 1] * u[i][1];",
         "    }",
@@ -293,8 +347,26 @@ def _c_state(state: State, limb: int, compensator: Compensator) -> str:
     return text.format(i=i, sign=f"DELTACAL_SIGN[{i}] * ", turned=repr(_turned(compensator)))
 
 
+def _fields(compensator: Compensator) -> list[State]:
+    """Return the channels that a controller tells, in the order of their struct: covariates behind the usual ones."""
+    read = tabled(s for t in compensator.effects for s in t.states)
+    usual = sorted(tabled(CHANNELS), key=lambda s: s.per == "joint")
+    return [*usual, *(s for s in read if s.base not in STATES)]
+
+
+def _field(state: State) -> str:
+    """Return what a channel is called in C: a column of the user's own may be called ``switch`` or ``p [bar]``."""
+    if state.base in STATES:
+        return state.column.format(i="")
+    if re.fullmatch(r"[a-z]\w*_\w+", state.column, re.ASCII):  # no keyword and no macro is written so
+        return state.column
+    return "recorded_" + re.sub(r"\W", "_", state.column, flags=re.ASCII)
+
+
 def _since(state: State, compensator: Compensator) -> str:
     """Return a state in C, the time as effects count it."""
+    if state.base not in STATES:
+        return f"at->{_field(state)}"
     return f"({state.c99} - {compensator.begun!r})" if state.passes and compensator.begun else state.c99
 
 
@@ -330,7 +402,8 @@ def _c_header(compensator: Compensator, left: RoundTrip, unit: str, live: _Live 
     yield f"Model       {compensator.model}, {sum(1 for v in robot.errors.values() if v)} source errors"
     yield f"Parameters  sha256 {compensator.digest}: the same numbers always give the same file"
     yield f"Error left  {stated(left.worst_mm):.1e} mm at the worst of {left.points} points of the workspace,"
-    yield "            against the model's own forward position (what the model does not know is not in it)"
+    yield "            against the model's own forward position (what the model does not know is not in it):"
+    yield f"            {_workspace_in_words(robot)}"
     if left.missed:
         yield f"WARNING     {left.missed} of these points are out of reach or singular"
     if live is not None:
@@ -338,23 +411,58 @@ def _c_header(compensator: Compensator, left: RoundTrip, unit: str, live: _Live 
     yield ""
     yield f"In          {_stated_in_words(mechanism)}"
     yield f"Out         joints_{unit}: what to command, as the controller counts [{unit}]; not checked for joint limits"
-    yield "Returns     0 solved; 1 out of reach; 2 singular; joints are written only for 0"
+    channel = "" if live is None else f"; {NOT_A_NUMBER} a channel is no finite number"
+    yield f"Returns     0 solved; 1 out of reach; 2 singular{channel}; joints are written only for 0"
     yield ""
     yield f"Usage       double joints[{limbs}];"
     home = _as_files(mechanism, turned(robot, workspace_of(robot).home[None]))[0]
     yield f"            const double target[{len(home)}] = {{ {c_numbers(home)} }};"
-    yield "            if (deltacal_compensate(target, joints) == 0) { ... }"
-    yield "Build       C99 with the mathematics library. No memory is allocated and no state is kept: safe from any"
-    yield "            thread. Not with -ffast-math, which drops the test for targets out of reach."
+    if live is None:
+        yield "            if (deltacal_compensate(target, joints) == 0) { ... }"
+    else:
+        yield "            const struct deltacal_channels at = {"
+        yield from (f"                {field}," for field in live.usual[1])
+        yield "            };"
+        yield "            if (deltacal_command(target, &at, joints) == 0) { ... }"
+    yield "Build       C99 with the mathematics library, double of 64 bits. No memory is allocated, no state is kept:"
+    yield "            safe from any thread. Not with -ffast-math, which drops the test for targets out of reach."
+    yield '            Declare it elsewhere as it is declared here, in C++ as extern "C". Two machines in one program:'
+    yield "            build each with names of its own, -Ddeltacal_compensate=left_compensate and so on."
+    yield from _c_checks(compensator, unit, live)
+
+
+def _c_checks(compensator: Compensator, unit: str, live: _Live | None) -> Iterator[str]:
+    """Yield targets with their joints."""
+    robot, mechanism = compensator.robot, compensator.mechanism
     checks = turned(robot, np.round(workspace_points(workspace_of(robot))[[-3, -7, -70]], 3))
     joints, status = compensator.command(checks)
-    yield ""
-    yield "To check after installation:"
     given, unit_in = _as_files(mechanism, checks), "mm, deg" if mechanism.turning else "mm"
-    for target, command in zip(given[status == SOLVED], joints[status == SOLVED], strict=True):
-        inputs = ", ".join(f"{v:.3f}" for v in target)
-        outputs = ", ".join(f"{v:.9f}" for v in command / to_internal(mechanism.joint_unit))
-        yield f"            ({inputs}) {unit_in} -> ({outputs}) {unit}"
+    by = [("", joints)]
+    if live is not None:
+        by = [
+            (" of deltacal_compensate", joints),
+            (" of deltacal_command, at as above", live.command(checks, live.usual[0])),
+        ]
+    for function, found in by:
+        yield ""
+        yield f"To check after installation{function}:"
+        for target, command in zip(given[status == SOLVED], found[status == SOLVED], strict=True):
+            inputs = ", ".join(f"{v:.3f}" for v in target)
+            outputs = ", ".join(f"{v:.9f}" for v in command / to_internal(mechanism.joint_unit))
+            yield f"            ({inputs}) {unit_in} -> ({outputs}) {unit}"
+
+
+def _workspace_in_words(robot: Robot) -> str:
+    """Say where the workspace is."""
+    space, axes = workspace_of(robot), mechanism_of(robot).axes
+    centre, half = space.box
+    ends = [
+        f"{axis} from {c - h:g} to {c + h:g}" for axis, c, h in zip("xyz", centre, half, strict=True) if axis in axes
+    ]
+    if space.radius is not None:
+        ends = [f"within {space.radius:g} mm of the z axis", *ends[2:]]
+    turned = f", turned by up to {space.turn:g} deg" if space.turn else ""
+    return f"{', '.join(ends)} mm in {{O}}{turned}"
 
 
 def _stated_in_words(mechanism: Machine) -> str:
@@ -394,7 +502,8 @@ def _c_effects(live: _Live) -> Iterator[str]:
         yield f"            (not {t.effect}: it belongs to the instrument)"
     yield f"Error left  {stated(left.worst_mm):.1e} mm at the worst of {left.points} points with these effects,"
     yield "            against the exact machine in equilibrium, over the channels as they were recorded:"
-    yield f"            {live.over.in_words()}; beyond them it is extrapolated"
+    yield f"            {live.over.in_channels(compensator.begun)};"
+    yield "            beyond them it is extrapolated; polynomials end where they stand a tenth beyond the workspace"
     yield "            A machine at rest, and after every jump that the recording holds."
     if left.missed:
         yield f"WARNING     {left.missed} of these points are out of reach or singular"

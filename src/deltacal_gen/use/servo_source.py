@@ -28,7 +28,7 @@ from deltacal_gen.results.motion import JointModel, MotionModel, TorqueTerm
 from deltacal_gen.states import SPEEDS, read_by
 from deltacal_gen.units import file_unit, joint_factors, joint_names
 from deltacal_gen.use.compensation import Compensator
-from deltacal_gen.use.exports import c_numbers, c_source, plain, wrapped
+from deltacal_gen.use.exports import BUILD, c_numbers, c_source, plain, wrapped
 
 NO_LIMIT = 1e300  # of a torque, of a joint
 POSED = 6  # joints of a chain that stands in any pose
@@ -59,9 +59,10 @@ CHAIN = """/*
  * Usage       struct deltacal_motion held = {{ .period_s = 0.001 }};   (between two set points)
  *             status = deltacal_feedforward_joints(&held, q, qd, qdd, 0.0, 20.0);
  *             held.begun = 0 makes the next set point the first one, wherever it is: after a stop, say.
- * Build       C99 with the mathematics library; not with -ffast-math, which drops the tests of what is no number.
+ * Build       C99 with the mathematics library, double of 64 bits; not with -ffast-math, which drops the tests of what
+ *             is no number. Declare it elsewhere as it is declared here, in C++ as extern "C".
  */
-#include <math.h>
+{build}#include <math.h>
 
 #define DELTACAL_SOLVED 0
 #define DELTACAL_UNREACHABLE 1
@@ -176,6 +177,7 @@ def _chain(known: MotionModel, robot: Robot, own: Dynamics, past: int) -> tuple[
         read=", ".join(readouts_of_model(known)[0]),
         words=WORDS,
         codes=DEFINES,
+        build=BUILD,
         links=len(told["CONVENTION"]),
         drives=len(told["DRIVE"]),
         limbs=machine.limbs,

@@ -27,7 +27,8 @@ Column = tuple[str, ...]  # channels whose product a correction goes with; () is
 class Spans:
     """Between which values the channels lay when the effects were found; only what was recorded is there.
 
-    By the names of columns of corrections, in their units: warming [K over 20 degC], payload [kg], time [h].
+    By the names of columns of corrections, in their units: warming [K over 20 degC], payload [kg], time [h]
+    from when effects count it.
     """
 
     known: Mapping[str, tuple[float, float]] = field(default_factory=dict)
@@ -39,6 +40,16 @@ class Spans:
     def in_words(self) -> str:
         """Return the ranges for a header."""
         words = [f"{name} {low:g} to {high:g} {unit_of(name)[0]}" for name, (low, high) in self.items().items()]
+        return ", ".join(words) or "no channel varied"
+
+    def in_channels(self, begun: float) -> str:
+        """Return the ranges as a recording has them, which began at some time [s]: ``temp_C 18 to 25``."""
+        words = []
+        for name, span in self.items().items():
+            channel, scale = named(name), unit_of(name)[1]
+            since = channel.zero + (begun if channel.passes else 0.0)
+            low, high = (f"{round(v * scale + since, 3):.15g}" for v in span)
+            words.append(f"{channel.column} {low} to {high}")
         return ", ".join(words) or "no channel varied"
 
 
@@ -65,8 +76,8 @@ def spans(result: Result | Diagnosis) -> Spans:
         values = recorded.get(s.column, np.zeros(0))
         values = values[np.isfinite(values)]
         if len(values):
-            scale = unit_of(s.name)[1]
-            found[s.name] = float(values.min() - s.zero) / scale, float(values.max() - s.zero) / scale
+            scale, since = unit_of(s.name)[1], s.zero + (result.begun_s if s.passes else 0.0)
+            found[s.name] = float(values.min() - since) / scale, float(values.max() - since) / scale
     return Spans(found)
 
 

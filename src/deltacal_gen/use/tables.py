@@ -322,8 +322,8 @@ def _table_text(table: TableCompensator, compensator: Compensator, over: Spans) 
     if len(table.columns) > 1:
         prose += (
             "Columns dq1_..._by_CHANNELS are to be multiplied by those channels and added to dq1: payload in kg,",
-            "warming = temp_C - 20, time in h of the recording's clock, approach1 = +1 or -1, the direction in which",
-            "the joint last moved. Effects: "
+            f"warming = temp_C - 20, time = {_hours(compensator)} in h by the recording's clock,",
+            "approach1 = +1 or -1, the direction in which the joint last moved. Effects: "
             + ", ".join(t.effect for t in compensator.effects)
             + "; after every jump, and",
             f"at rest. Recorded were: {over.in_words()}; worst_mm holds within these.",
@@ -353,6 +353,11 @@ def _table_text(table: TableCompensator, compensator: Compensator, over: Spans) 
         cells = ("" if math.isnan(v) else f"{v:.{TABLE_DECIMALS}f}" for v in row)
         lines.append(",".join((*place, *cells)))
     return "\n".join(lines) + "\n"
+
+
+def _hours(compensator: Compensator) -> str:
+    """Return the time as effects count it."""
+    return f"(time_s - {compensator.begun!r})" if compensator.begun else "time_s"
 
 
 def _axes(table: TableCompensator) -> list[Array]:
