@@ -130,6 +130,57 @@ def test_targets_are_brought_to_joints_by_the_geometry_of_the_result(known: Path
     ]
 
 
+def test_joints_are_those_that_were_asked_for(known: Path, tmp_path: Path) -> None:
+    """A profile whose acceleration jumps, and a point of its own: a curve that is smooth goes by 0.06 mm and 20 mm."""
+    t, ramp = np.arange(0, 0.5, 0.004), 0.08
+    way = np.where(t < ramp, 5000 * t**2, 800 * (t - ramp / 2))
+    way = np.where(t > 0.25, 200 - 5000 * np.clip(0.33 - t, 0, None) ** 2, way)
+    points = np.column_stack([way - 100, 0 * t, 0 * t - 870])
+    points[60, 2] += 20
+    robot = dc.read_robot(known / "robot.toml")
+    asked = np.degrees(dc.Compensator(robot).joints(points))
+    told: list[str] = []
+    found = targets_along(known, tmp_path, t, points, told)
+    assert found.joints_in_files == pytest.approx(asked, abs=1e-9)
+    table = np.genfromtxt(tmp_path / "commands.csv", delimiter=",", names=True)
+    assert table["q3_deg"] == pytest.approx(asked[:, 2], abs=1e-9)
+    assert [words for words in told if "which leaves the joints where they turn sharply" in words]
+    told.clear()
+    smooth = np.column_stack([60 * np.sin(4 * t), 0 * t, 0 * t - 870])
+    targets_along(known, tmp_path, t, smooth, told)
+    assert not [words for words in told if "smooth curve" in words]
+
+
+def test_rows_that_are_left_out_or_assumed_are_told_and_no_mass_is_negative(known: Path, tmp_path: Path) -> None:
+    t, told = np.arange(0, 0.5, 0.004), list[str]()
+    points = np.column_stack([60 * np.sin(4 * t), 0 * t, 0 * t - 870])
+    twice = np.insert(t, 50, t[50])
+    found = targets_along(known, tmp_path, twice, np.insert(points, 50, points[50], axis=0), told)
+    assert len(found.torque) == len(t)
+    assert [
+        words
+        for words in told
+        if words.endswith("line.csv:53: the time of the row before once more; the row is left out")
+    ]
+    targets_along(known, tmp_path, t, points, told, payload=["0.5", *[""] * (len(t) - 1)])
+    assert "payload_kg blank in 124 of 125 rows: no payload is assumed" in told
+    with pytest.raises(dc.InputError, match=r"line 3, column 'payload_kg': a mass cannot be negative"):
+        targets_along(known, tmp_path, t, points, told, payload=["0.5", *["-1"] * (len(t) - 1)])
+
+
+def targets_along(
+    known: Path, folder: Path, t: np.ndarray, points: np.ndarray, told: list[str], payload: list[str] | None = None
+) -> FeedForward:
+    """Return commands along targets (N, 3) [mm]."""
+    rows = [",".join(f"{v!r}" for v in (time, *p)) for time, p in zip(t.tolist(), points.tolist(), strict=True)]
+    rows = ["time_s,x_mm,y_mm,z_mm", *rows]
+    if payload is not None:
+        rows = [f"{row},{mass}" for row, mass in zip(rows, ["payload_kg", *payload], strict=True)]
+    (folder / "line.csv").write_text("\n".join(rows))
+    (folder / "line.toml").write_text(MOTION)
+    return dc.feed_forward(known / "diagnosis.json", folder / "line.csv", folder / "commands.csv", tell=told.append)
+
+
 def test_limits_of_the_robot_file_are_counted(known: Path) -> None:
     told: list[str] = []
     found = dc.feed_forward(known / "diagnosis.json", known / "planned.csv", tell=told.append)

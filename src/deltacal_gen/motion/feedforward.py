@@ -47,6 +47,8 @@ class FeedForward:
     columns, units : tuple of str
     ramped : (n_q,) array of int
         Samples inside the speed in which friction is ramped.
+    left : (n_q,) array
+        By how much the curve whose derivatives are taken leaves the joints, at most [rad or mm].
     beyond : dict
         Column to how many samples ask for more than the robot file's [limits] allow.
     """
@@ -57,6 +59,7 @@ class FeedForward:
     columns: tuple[str, ...]
     units: tuple[str, ...]
     ramped: np.ndarray
+    left: Array
     beyond: dict[str, int]
 
     @property
@@ -113,7 +116,9 @@ def fed_forward(known: MotionModel, given: Trajectories) -> FeedForward:
         own = columns[j - 1], payload[:, j - 1], readouts[j - 1]
         torque[:, j - 1] = _ramped(model, given, states, *own) / readouts[j - 1].inside
         ramped[j - 1] = int((np.abs(states[1, :, j - 1]) < model.at_rest_below).sum())
-    done = FeedForward(given, states, torque, known.columns, units, ramped, {})
+    left = np.abs(states[0] - given.joints).max(axis=0)
+    asked = np.stack([given.joints, *states[1:]])  # a drive goes where it is asked to, not where a curve goes
+    done = FeedForward(given, asked, torque, known.columns, units, ramped, left, {})
     return dataclasses.replace(done, beyond=_beyond(done, robot.limits))
 
 

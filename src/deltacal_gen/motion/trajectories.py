@@ -257,8 +257,10 @@ def read(path: str | Path, machine: Machine, sidecar: Sidecar, *, need_measured:
     return trajectories(read_table(Path(path)), machine, sidecar, need_measured=need_measured)
 
 
-def trajectories(rows: Rows, machine: Machine, sidecar: Sidecar, *, need_measured: bool = True) -> Trajectories:
-    """Return the rows of a table as samples in time; see `read`."""
+def trajectories(
+    rows: Rows, machine: Machine, sidecar: Sidecar, *, need_measured: bool = True, asked: bool = False
+) -> Trajectories:
+    """Return the rows of a table as samples in time; see `read`. Joints that are `asked` for stay as they are."""
     rows.require(TIME)
     time = rows.numbers(TIME, blank=False)[:, 0]
     labels = rows.labels("run", blank=False) or ["1"] * len(time)
@@ -285,7 +287,7 @@ def trajectories(rows: Rows, machine: Machine, sidecar: Sidecar, *, need_measure
     joints = joints * factors
     piece = pieces_of(time, run)
     by_joint, by_drive = (dict(zip(*pair, strict=True)) for pair in ((names, joints.T), (columns, readings.T)))
-    said, lines = _put_right(rows, piece, by_joint, by_drive, factors, unit)
+    said, lines = _put_right(rows, piece, by_joint, by_drive, factors, unit, spiked=not asked)
     repairs += said
     repaired |= lines
     recorded = np.array(
@@ -316,9 +318,19 @@ def trajectories(rows: Rows, machine: Machine, sidecar: Sidecar, *, need_measure
 
 
 def _put_right(
-    rows: Rows, piece: np.ndarray, joints: dict[str, Array], readings: dict[str, Array], factors: Array, unit: str
+    rows: Rows,
+    piece: np.ndarray,
+    joints: dict[str, Array],
+    readings: dict[str, Array],
+    factors: Array,
+    unit: str,
+    *,
+    spiked: bool,
 ) -> tuple[list[str], set[int]]:
-    """Put joints and readings right, columns (N,) by their name; return what is said of it, and the lines."""
+    """Put joints and readings right, columns (N,) by their name; return what is said of it, and the lines.
+
+    Values out of proportion are taken out where joints and readings may be `spiked`.
+    """
     repairs, lines = list[str](), set[int]()
     for (name, values), unit_of in zip(joints.items(), of_joints(unit, len(joints)), strict=True):
         if unit_of == "rad" and len(wraps := _counted_on(values, piece)):
@@ -327,7 +339,7 @@ def _put_right(
                 "more; angles are counted on"
             )
     by = (*factors, *np.ones(len(readings)))
-    for (name, values), unit_in in zip((joints | readings).items(), by, strict=True):
+    for (name, values), unit_in in zip((joints | readings).items() if spiked else (), by, strict=spiked):
         spikes = _spikes_out(values, piece, filled=name in joints)
         lines |= set(rows.line[list(spikes)].tolist())
         repairs += [

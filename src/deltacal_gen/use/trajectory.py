@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from deltacal_gen.errors import InputError
+from deltacal_gen.files.checks import impossible
 from deltacal_gen.files.recording import targets_of
 from deltacal_gen.files.robot import robot_of
 from deltacal_gen.files.rows import Rows, read_table
@@ -18,11 +20,14 @@ from deltacal_gen.motion.feedforward import FeedForward, fed_forward
 from deltacal_gen.motion.trajectories import Sidecar, read_sidecar, trajectories
 from deltacal_gen.results.motion import MotionModel
 from deltacal_gen.results.reader import TORQUE
-from deltacal_gen.units import joint_factors, joint_names
+from deltacal_gen.states import PAYLOAD
+from deltacal_gen.units import joint_factors, joint_names, of_joints
 from deltacal_gen.use.compensation import Compensator
 
 if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Array
+
+TOLD = {"rad": 1e-5, "mm": 0.01}  # by which a curve leaves joints: a hundredth of a millimetre at a metre
 
 
 def feed_forward(known: MotionModel, path: str | Path) -> FeedForward:
@@ -45,7 +50,35 @@ def feed_forward(known: MotionModel, path: str | Path) -> FeedForward:
     ):
         rows = _with_joints(rows, robot)
     sidecar = read_sidecar(path) or Sidecar.model_validate({"measurement": {"kind": TORQUE}})
-    return fed_forward(known, trajectories(rows, mechanism, sidecar, need_measured=False))
+    given = trajectories(rows, mechanism, sidecar, need_measured=False, asked=True)
+    for name, values in given.channels.items():
+        wrong, expected = impossible(name, values)
+        if wrong.any():
+            row = int(np.argmax(wrong))
+            raise InputError(f"{expected}.", "Correct the cell.", file=path, line=int(given.line[row]), column=name)
+    return fed_forward(known, given)
+
+
+def bent(found: FeedForward) -> str | None:
+    """Return in words by how much the curve whose velocities are told leaves the joints; None where it goes through."""
+    unit = found.given.joint_unit
+    units = of_joints(unit, len(found.left))
+    names, left = joint_names(unit, len(units)), found.left / joint_factors(unit, len(units))
+    off = [f"{name} {v:.2g}" for name, v, own, u in zip(names, left, found.left, units, strict=True) if own > TOLD[u]]
+    if not off:
+        return None
+    return (
+        "joints are as asked for; velocities, accelerations and torques are those of a smooth curve, which leaves "
+        f"the joints where they turn sharply, by up to: {', '.join(off)}. Give qd and qdd to have them as planned "
+        '([motion] derivatives = "recorded")'
+    )
+
+
+def blanks(found: FeedForward) -> str | None:
+    """Return in words in how many rows the payload is blank, of a file that has one; None where in none."""
+    mass = found.given.channels.get(PAYLOAD)
+    count = 0 if mass is None else int(np.isnan(mass).sum())
+    return f"{PAYLOAD} blank in {count} of {len(found.torque)} rows: no payload is assumed" if count else None
 
 
 def _with_joints(rows: Rows, robot: Robot) -> Rows:

@@ -197,7 +197,8 @@ def feed_forward(
     output : path
         COMMANDS.csv: joints, velocities, accelerations, torques in the unit of the result's readings.
     tell : callable
-        Told in words where friction is ramped and where limits are passed.
+        Told in words which rows are left out, where velocities are not those of the joints, where friction is ramped
+        and where limits are passed.
 
     Raises
     ------
@@ -211,6 +212,9 @@ def feed_forward(
     if not isinstance(known, MotionModel):
         raise UsageError("torques along a trajectory need a result of a recording in motion (kind torque).")
     found = along.feed_forward(known, trajectory)
+    for words in (*found.given.repairs, along.blanks(found), along.bent(found)):
+        if words is not None:
+            tell(words)
     if slow := [f"joint {j + 1}: {count}" for j, count in enumerate(found.ramped.tolist()) if count]:
         tell(f"samples near rest, at which friction is ramped: {', '.join(slow)}")
     if still := [str(j + 1) for j in range(found.torque.shape[1]) if np.isnan(found.torque[:, j]).all()]:
