@@ -35,7 +35,7 @@ from deltacal_gen.planning import matrix, optimal
 from deltacal_gen.planning.reach import reach, readable
 from deltacal_gen.planning.targets import candidates_of
 from deltacal_gen.use import commanded
-from deltacal_gen.use.compensation import Compensator
+from deltacal_gen.use.compensation import Compensator, CompensatorKind
 from deltacal_gen.use.exports import export_c
 from deltacal_gen.use.prediction import predict
 from deltacal_gen.use.spans import channels_of
@@ -286,3 +286,23 @@ def test_effects_of_the_legs_alone_stand_in_the_c_of_a_platform_that_turns(tmp_p
 def test_the_table_of_a_platform_that_turns_says_that_it_is_level(tmp_path: Path) -> None:
     export_table(Compensator(robot(3)), tmp_path / "table.csv")
     assert "# The platform is level" in (tmp_path / "table.csv").read_text()
+
+
+@pytest.mark.parametrize("kind", CompensatorKind)
+def test_a_set_point_of_the_servo_function_leaves_nothing_to_the_next(kind: str) -> None:
+    """Rotations stand behind the position as Cayley vectors; one that no platform has does not end the loop."""
+    compensator = Compensator(robot(), kind)
+    at = poses(2)
+    R = at[:, 3:].reshape(-1, 3, 3)
+    axis = np.stack([R[:, 2, 1] - R[:, 1, 2], R[:, 0, 2] - R[:, 2, 0], R[:, 1, 0] - R[:, 0, 1]], axis=1)
+    cayley = 2 * axis / (1 + np.trace(R, axis1=1, axis2=2))[:, None]
+    first, second = np.hstack([at[:, :3], cayley]).tolist()
+    command, state = compensator.servo()
+    fresh = command(*first, state)
+    assert fresh == pytest.approx(compensator.command(at[:1])[0][0], abs=1e-9)
+    for k in range(3, 6):
+        for bad in (1e300, 1e9, np.inf, np.nan):
+            command(*[bad if j == k else v for j, v in enumerate(second)], state)
+            assert command(*first, state) == fresh
+    command(*second, state)
+    assert command(*first, state) == fresh

@@ -1,7 +1,7 @@
 """Commands of one pose for a servo loop: `complete_delta`, Delta, complete geometry of the six rods.
 
 Generated from derive/mechanisms/complete_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/servo.py.jinja; sha256 of both c9744a3add41e232; SymPy 1.14.0.
+Template templates/mechanism/servo.py.jinja; sha256 of both b319890caad4d5b4; SymPy 1.14.0.
 
 Numbers in, numbers out, for loops that Numba compiles and for calls from Python: an array, or a part of one, costs more
 than a command. Lengths in mm, angles in rad. Target, machine and scratch stand in one flat array w, which `exact_state`

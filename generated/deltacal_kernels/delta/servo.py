@@ -1,7 +1,7 @@
 """Commands of one pose for a servo loop: `delta`, Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/servo.py.jinja; sha256 of both c96b53c8eb152fd7; SymPy 1.14.0.
+Template templates/mechanism/servo.py.jinja; sha256 of both 42bbb2ec5966f2d6; SymPy 1.14.0.
 
 Numbers in, numbers out, for loops that Numba compiles and for calls from Python: an array, or a part of one, costs more
 than a command. Lengths in mm, angles in rad. Target, machine and scratch stand in one flat array w, which `exact_state`

@@ -1,7 +1,7 @@
 """Commands of one pose for a servo loop: `diamond`, Diamond, two arms in a plane.
 
 Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/servo.py.jinja; sha256 of both 2d2f59acfe1c418e; SymPy 1.14.0.
+Template templates/mechanism/servo.py.jinja; sha256 of both af16dbee4a9d1d73; SymPy 1.14.0.
 
 Numbers in, numbers out, for loops that Numba compiles and for calls from Python: an array, or a part of one, costs more
 than a command. Lengths in mm, angles in rad. Target, machine and scratch stand in one flat array w, which `exact_state`

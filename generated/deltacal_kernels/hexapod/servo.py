@@ -1,7 +1,7 @@
 """Commands of one pose for a servo loop: `hexapod`, Hexapod of Gough and Stewart, six legs.
 
 Generated from derive/mechanisms/hexapod.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/servo.py.jinja; sha256 of both 9789d3e0cf603fd6; SymPy 1.14.0.
+Template templates/mechanism/servo.py.jinja; sha256 of both 1ff1b93210c0b35d; SymPy 1.14.0.
 
 Numbers in, numbers out, for loops that Numba compiles and for calls from Python: an array, or a part of one, costs more
 than a command. Lengths in mm, angles in rad. Target, machine and scratch stand in one flat array w, which `exact_state`
@@ -398,6 +398,7 @@ def _exact(px, py, pz, cx, cy, cz, w):
     w[3] = cx
     w[4] = cy
     w[5] = cz
+    _exact_move(w)  # joints begin by the rotation of this target, not by that of the last one
     _exact_joint(w, LANES)
     status = UNREACHABLE
     if (abs(w[40]) < math.inf) & (abs(w[41]) < math.inf) & (abs(w[42]) < math.inf) & (abs(w[43]) < math.inf) & (abs(w[44]) < math.inf) & (abs(w[45]) < math.inf):

@@ -1,7 +1,7 @@
 """Commands of one pose for a servo loop: `robotennis`, RoboTennis, three arms with rods as single links, incremental home.
 
 Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/servo.py.jinja; sha256 of both 7931424508eab31c; SymPy 1.14.0.
+Template templates/mechanism/servo.py.jinja; sha256 of both 12ea42bd11a66f2c; SymPy 1.14.0.
 
 Numbers in, numbers out, for loops that Numba compiles and for calls from Python: an array, or a part of one, costs more
 than a command. Lengths in mm, angles in rad. Target, machine and scratch stand in one flat array w, which `exact_state`

@@ -224,7 +224,8 @@ class Compensator:
         Servo
             ``q1, q2, q3 = command(x, y, z, state)`` from a target [mm], as the controller counts joints [rad or mm],
             and with `change` ``d1, d2, d3 = command(x, y, z, q1, q2, q3, state)``; NaN where there is no command; of
-            one joint a number, and no tuple.
+            one joint a number, and no tuple. What a platform turns on command stands behind the position, as the
+            components of its Cayley vector: along the axis, 2 tan(angle / 2) long; `state` comes last.
             Numbers in and out: an array, or a part of one, would cost more than the command. `state` is the machine
             and scratch, for `command` alone: one per thread.
 
