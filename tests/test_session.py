@@ -80,6 +80,24 @@ def test_a_misspelt_channel_is_an_error(result: dc.Result) -> None:
         dc.compensate(result, np.array([[0.0, 0.0, -853.0]]), channels={"payload": 2.0})
 
 
+@pytest.mark.parametrize(
+    ("channels", "message"),
+    [
+        ({"payload_kg": -3.0}, "'payload_kg' holds -3: a mass cannot be negative"),
+        ({"approach2": [1.0, 5.0]}, "'approach2' holds 5: 1 or -1 was expected"),
+        ({"temp_C": np.inf}, "'temp_C': a finite number was expected"),
+        ({"temp_C": [20.0, 21.0, 22.0]}, "'temp_C': a number, or 2 of them, one for each target, were expected"),
+        ({"temp_C": "warm"}, "'temp_C': a number, or 2 of them"),
+    ],
+)
+def test_a_channel_that_cannot_be_is_an_error(result: dc.Result, channels: dict[str, Any], message: str) -> None:
+    targets = np.array([[0.0, 0.0, -853.0], [300.0, -200.0, -900.0]])
+    with pytest.raises(dc.UsageError, match=message):
+        dc.compensate(result, targets, channels=channels)
+    blank = dc.compensate(result, targets, channels={"approach2": [0.0, np.nan], "payload_kg": 2.0})
+    assert np.array_equal(blank, dc.compensate(result, targets))
+
+
 def test_a_data_frame_is_read_as_its_file_is() -> None:
     delta, frame = dc.load_mechanism("delta"), pd.read_csv(GEARBOX)
     want = dc.read_recording(GEARBOX, delta)

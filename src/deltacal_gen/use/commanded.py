@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.files.checks import impossible
 from deltacal_gen.files.columns import Columns, is_channel
 from deltacal_gen.files.toml import nearest
 from deltacal_gen.instrument.kinds import kind_of
@@ -18,7 +19,7 @@ from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.channels import Channels
 from deltacal_gen.physics.ranges import in_words
 from deltacal_gen.results.diagnosis import Diagnosis
-from deltacal_gen.states import RECORDED
+from deltacal_gen.states import RECORDED, of_column
 from deltacal_gen.units import DEG, joint_factors, joint_names
 from deltacal_gen.use import prediction
 from deltacal_gen.use.compensation import TURNED_DEG, Compensator
@@ -205,17 +206,36 @@ def _left_turned(compensator: Compensator, wanted: Wanted, joints: Array, at: Ch
     return f"{off.sum()} of {len(off)} commands leave the last frame turned by up to {turned.max():.2g} deg: {why}"
 
 
-def check_channels(channels: Mapping[str, Any], compensator: Compensator, known: Result | Diagnosis) -> None:
-    """Raise a UsageError for the first channel that nothing could be, with the one that may be meant."""
+def check_channels(channels: Mapping[str, Any], compensator: Compensator, known: Result | Diagnosis, n: int) -> None:
+    """Raise a UsageError for the first channel that nothing could be, with the one that may be meant.
+
+    Of n targets its values are what a file of targets may hold: numbers that can be, or blank.
+    """
     covariates = {channel.column for t in compensator.terms for s in t.states for channel in s.channels}
     if known.correction is not None:
         covariates |= {*known.correction.depends_on}
     if isinstance(known, Diagnosis):  # what was recorded beside the readings is no mistake
         covariates |= known.residuals.channels.keys()
-    for name in channels:
+    for name, given in channels.items():
         if is_channel(name) or name in covariates:
+            _check_values(name, given, n)
             continue
         near = nearest(name, USUAL)
         raise UsageError(
             f"there is no channel '{name}'. " + (f"Did you mean '{near}'?" if near else f"Known: {', '.join(USUAL)}.")
         )
+
+
+def _check_values(name: str, given: Any, n: int) -> None:
+    """Raise a UsageError where a channel of n targets holds what no file of targets may."""
+    try:
+        values = np.array(np.broadcast_to(np.asarray(given, dtype=float), n))
+    except (TypeError, ValueError):
+        raise UsageError(f"channel '{name}': a number, or {n} of them, one for each target, were expected.") from None
+    if np.isinf(values).any():
+        raise UsageError(f"channel '{name}': a finite number was expected.")
+    if of_column(name).levels:
+        values[values == 0] = np.nan  # not known which
+    wrong, expected = impossible(name, values)
+    if wrong.any():
+        raise UsageError(f"channel '{name}' holds {values[np.argmax(wrong)]:g}: {expected}.")

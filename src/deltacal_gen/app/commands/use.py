@@ -123,7 +123,7 @@ def compensate(
         wanted = commanded.Wanted.of_array(given, compensator, channels or {})
     if not len(wanted.positions):
         return np.zeros((0, compensator.mechanism.limbs))
-    commanded.check_channels(channels or {}, compensator, known)
+    commanded.check_channels(channels or {}, compensator, known, len(wanted.positions))
     found = commanded.commanded(known, compensator, wanted, tell)
     if bands and output is None:
         raise UsageError("bands stand beside the commands in a file: give -o JOINTS.csv.")
