@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import json
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -175,6 +176,14 @@ def test_commands_undo_the_correction_too(robot: Robot, humid: dict[str, Any]) -
     assert not any("smooth correction" in words for words in said)
     dc.compensate(humid, targets[:2], channels={"humidity": np.array([1e4, 1e4])}, tell=said.append)
     assert "2 of 2 targets lie outside" in said[-1]
+
+
+@pytest.mark.parametrize("export", ["c", "table"])
+def test_an_export_says_what_it_leaves_out(humid: dict[str, Any], tmp_path: Path, export: str) -> None:
+    for known, said in ((humid, True), (without(humid), False)):
+        dc.compensate(known, output=tmp_path / "file", export=export)
+        head = (tmp_path / "file").read_text(encoding="utf-8")[:4000]
+        assert ("The smooth correction of the answer is not in this file" in head) is said
 
 
 def probed(printer: Robot, targets: Array, sigma: float = 0.0) -> Recording:

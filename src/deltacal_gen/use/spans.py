@@ -20,6 +20,7 @@ from deltacal_gen.use.compensation import Compensator
 
 _MARGIN = 1.05  # a stated error over the measured one
 _SEED = 20151  # of the channels' random values: the same machine always gets the same statement
+LEFT_OUT = "The smooth correction of the answer is not in this file"
 Column = tuple[str, ...]  # channels whose product a correction goes with; () is the correction at reference
 
 
@@ -28,10 +29,11 @@ class Spans:
     """Between which values the channels lay when the effects were found; only what was recorded is there.
 
     By the names of columns of corrections, in their units: warming [K over 20 degC], payload [kg], time [h]
-    from when effects count it.
+    from when effects count it. `corrected` tells whether the answer has a smooth correction, of which no export knows.
     """
 
     known: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    corrected: bool = False
 
     def items(self) -> dict[str, tuple[float, float]]:
         """Return the channels that varied, by name."""
@@ -78,7 +80,7 @@ def spans(result: Result | Diagnosis) -> Spans:
         if len(values):
             scale, since = unit_of(s.name)[1], s.zero + (result.begun_s if s.passes else 0.0)
             found[s.name] = float(values.min() - since) / scale, float(values.max() - since) / scale
-    return Spans(found)
+    return Spans(found, corrected=result.correction is not None)
 
 
 def columns_of(compensator: Compensator, terms: Sequence[Term], over: Spans) -> tuple[Column, ...]:

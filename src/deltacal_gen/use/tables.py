@@ -21,6 +21,7 @@ from deltacal_gen.machine.registry import SOLVED, UNREACHABLE, Array
 from deltacal_gen.units import file_unit, to_internal
 from deltacal_gen.use.compensation import Compensator, CompensatorKind, RoundTrip, largest, workspace_points
 from deltacal_gen.use.spans import (
+    LEFT_OUT,
     Column,
     Spans,
     after_jumps,
@@ -328,6 +329,8 @@ def _table_text(table: TableCompensator, compensator: Compensator, over: Spans) 
             + "; after every jump, and",
             f"at rest. Recorded were: {over.in_words()}; worst_mm holds within these.",
         )
+    if over.corrected:
+        prose += (f"{LEFT_OUT}: commands for targets in a file have it.",)
     facts: dict[str, Any] = {
         "schema": _TABLE_SCHEMA,
         "worst_mm": table.worst_mm,
