@@ -115,6 +115,7 @@ FUNCTIONS = {
     "use/comparison.py:_combinations": "two standard deviations together",
     "use/comparison.py:compare": "two standard deviations together",
     "use/comparison.py:compare_in_motion": "two standard deviations together",
+    "use/exports.py:_places": WORKSPACE,
     "use/tables.py:_table_errors": WORKSPACE,
     "use/tables.py:_used": WORKSPACE,
     "use/unseen.py:_on_the_bed": "along which way of the bed a print is stretched",
