@@ -6,15 +6,18 @@ them, and every count of samples is divided by the samples that hang together (`
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
+from functools import wraps
+from typing import TYPE_CHECKING, TypeVar, cast
 
 import numpy as np
 from scipy.linalg import LinAlgError, cho_factor, cho_solve
 
 if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Array
+
+T = TypeVar("T")
 
 LEAST_RUNS = 3  # runs in which a joint moves, so that whole runs are held out
 MOST_FOLDS = 6
@@ -100,6 +103,21 @@ def prior_of(left: Array, together: float, given: Array) -> float:
     return max(RIDGES[0], float(left @ left) * together / len(left) / size) if size else RIDGES[0]
 
 
+def _once(
+    ask: Callable[[Bench, Sequence[int], Sequence[int]], T],
+) -> Callable[[Bench, Sequence[int], Sequence[int]], T]:
+    """Keep what equations answer of columns and folds: a search asks of the same again and again."""
+
+    @wraps(ask)
+    def asked(self: Bench, columns: Sequence[int], folds: Sequence[int]) -> T:
+        key = ask.__name__, tuple(columns), tuple(folds)
+        if key not in self.answers:
+            self.answers[key] = ask(self, columns, folds)
+        return cast(T, self.answers[key])
+
+    return asked
+
+
 @dataclass(frozen=True, eq=False)
 class Bench:
     """Normal equations of one joint by fold.
@@ -121,6 +139,8 @@ class Bench:
         What is added to their normal equations, per sample, where it is more than that.
     least : float
         Mean square that is told from nothing.
+    answers : dict
+        What was asked of these equations; others begin with none.
     """
 
     G: Array
@@ -132,6 +152,7 @@ class Bench:
     prior: float = RIDGES[0]
     ridge: float = RIDGES[0]
     least: float = 0.0
+    answers: dict[tuple[object, ...], object] = field(init=False, default_factory=dict, repr=False)
 
     @classmethod
     def of(cls, X: Array, y: Array, fold: np.ndarray, usual: Array, given: float = 0.0) -> Bench:
@@ -210,6 +231,7 @@ class Bench:
         left = self.yy[list(folds)].sum() - 2 * coefficients @ g + coefficients @ G @ coefficients
         return float(max(left, self.least * self.n[list(folds)].sum()))
 
+    @_once
     def train(self, columns: Sequence[int], folds: Sequence[int]) -> float:
         """Return the sum of squares that a fit on some folds leaves there."""
         return self.error(columns, self.fit(columns, folds), folds)
@@ -242,6 +264,7 @@ class Bench:
         errors = self._held_out(columns, self.folds if folds is None else folds)
         return replace(self, ridge=RIDGES[int(np.argmin(errors))])
 
+    @_once
     def _held_out(self, columns: Sequence[int], folds: Sequence[int]) -> Array:
         """Return the mean square on each of some folds, of fits to the others, for every ridge: all solved at once."""
         at, rows = np.asarray(columns, dtype=int), np.asarray(folds, dtype=int)
