@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import dataclasses
+import itertools
 import json
 import re
 import shutil
@@ -21,8 +22,9 @@ from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.identification.accuracy import workspace_of
 from deltacal_gen.machine.limbs import SETTLED_MM
-from deltacal_gen.machine.registry import SOLVED, UNREACHABLE, Machine
+from deltacal_gen.machine.registry import SOLVED, UNREACHABLE, Machine, mechanism_of
 from deltacal_gen.physics.body import Body
+from deltacal_gen.physics.deformed import Deformed
 from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.physics.terms import Term, blank, displaces_points, effect_names, load_effect
 from deltacal_gen.results.reader import read_result
@@ -82,9 +84,27 @@ def test_commands_of_a_machine_that_remembers_count_those_before_them(robot: Rob
     assert np.abs(joints - rigid).max() > 1e-4
     without_time = compensator.command(wanted_at)[0]  # then each stands alone
     np.testing.assert_allclose(without_time, rigid, rtol=0, atol=1e-9)
+    wanted_at[n // 2, :3] = 1e5
+    _, status = compensator.command(wanted_at, None, at)  # all others wait for none that is out of reach
+    assert np.flatnonzero(status != SOLVED).tolist() == [n // 2]
     for export in (export_c, export_table):
         with pytest.raises(UsageError, match="of what remembers how the machine came to a target"):
             export(compensator, tmp_path / "one_by_one")
+
+
+@pytest.mark.parametrize("robot", [machines()[0], machines()[2]], ids=["loops", "chain"])
+def test_commands_that_wait_for_one_another_are_refused_each_for_itself(robot: Robot) -> None:
+    mechanism, wanted_at, turn = mechanism_of(robot), targets(robot, 5, 1), itertools.cycle((1.0, -1.0))
+    tool, rows = np.tile(robot.tool, (5, 1)), mechanism.rows(robot)
+    near = Compensator(robot).nominal_command(wanted_at)[0] * robot.joint_sign if mechanism.many_ways else None
+
+    def reach(q: np.ndarray, some: np.ndarray) -> tuple[Deformed, np.ndarray]:
+        x, status = mechanism.forward(q, tool[some], rows)
+        x[some == 2, 2] += next(turn)  # it never settles
+        return Deformed(x, q, tool[some], rows), status
+
+    _, status = mechanism.follow(wanted_at, near, tool, rows, None, reach, together=True)
+    assert status.tolist() == [SOLVED, SOLVED, UNREACHABLE, SOLVED, SOLVED]
 
 
 def test_a_large_shift_of_a_joint_is_undone_in_steps_that_double_the_digits(

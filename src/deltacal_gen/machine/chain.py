@@ -373,6 +373,9 @@ class Chain(Machine):
         q, status = np.array(near, dtype=float), np.full(len(target), UNREACHABLE)
         sizes, directions = self._sizes(rows), self._directions(rows if drawn is None else drawn)
         open_ = np.arange(len(q))
+        if together:  # nothing waits for what no joints reach
+            q, status = self.follow(target, near, tool, rows, drawn)
+            open_ = np.flatnonzero(status == SOLVED)
         for _ in range(NEWTON_STEPS):
             if not len(open_):
                 break
@@ -393,10 +396,9 @@ class Chain(Machine):
             # on the rim of its reach a chain has lost a direction, and what is missing lies along it
             ended &= (rank == directions) | (np.abs(miss[:, :3]).max(axis=1) < THERE_MM)
             wrong = reached != SOLVED
-            ended &= not together or bool((ended | wrong).all())
-            status[open_[wrong]] = reached[wrong]
-            status[open_[ended & ~wrong]] = SOLVED
+            status[open_] = np.where(wrong, reached, np.where(ended, SOLVED, UNREACHABLE))
             going = ~(ended | wrong)
+            going = ~wrong if together and going.any() else going
             longest = np.abs(step[going]).max(axis=1, initial=FARTHEST)[:, None]
             open_ = open_[going]
             q[open_] += sizes * step[going] * (FARTHEST / longest)

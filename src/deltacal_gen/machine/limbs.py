@@ -343,7 +343,7 @@ class Limbs(Machine):
         q, _, status = self.inverse(target, tool, rows, out=out)
         if reach is None:
             return q, status
-        open_ = np.flatnonzero(status == SOLVED)
+        open_ = off = np.flatnonzero(status == SOLVED)
         q[:] = np.where(np.isfinite(q), q, 0.0)
         for _ in range(STEPS):
             if not len(open_):
@@ -356,11 +356,11 @@ class Limbs(Machine):
             status[open_] = np.where(reached != SOLVED, reached, np.where(singular, SINGULAR, SOLVED))
             solved = status[open_] == SOLVED
             going = solved & (np.abs(np.nan_to_num(miss)).max(axis=1) > SETTLED_MM)
-            if together and going.any():
-                going = solved
+            off = open_[going]
+            going = solved if together and len(off) else going
             open_ = open_[going]
             q[open_] -= step[going]
-        status[open_] = UNREACHABLE
+        status[off] = UNREACHABLE
         q[status != SOLVED] = np.nan
         return q, status
 
