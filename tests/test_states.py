@@ -359,3 +359,13 @@ def test_a_column_that_c_takes_for_something_else_has_another_name_there(
     assert f"    double {field};" in text
     assert re.search(rf"by\[\d\] = at->{field};", text)
     assert f".{field} = 5.0," in text
+
+
+def test_ranges_of_small_channels_and_of_clocks_are_told_in_digits_that_tell_them(tmp_path: Path) -> None:
+    over = Spans({"strain": (1e-4, 4.0e-4), "warming": (-0.5, 1.25), "time": (0.0, 0.5)})
+    told = over.in_channels(1764219187.25)
+    assert told == "strain 0.0001 to 0.0004, temp_C 19.5 to 21.25, time_s 1764219187.25 to 1764220987.25"
+    tilting = blank("part_tilt", (), ("strain",)).with_values(np.array([1.0, 1.0]))
+    source = tmp_path / "command.c"
+    export_c(Compensator(machines()[0], terms=(tilting,)), source, over)
+    assert ".recorded_strain = 0.0004," in source.read_text(encoding="utf-8")

@@ -46,6 +46,7 @@ from deltacal_gen.use.spans import (
     stated,
     tabled,
     taken_apart,
+    tidy,
     unit_of,
 )
 
@@ -164,7 +165,7 @@ class _Live:
             else:
                 scale, since = unit_of(s.name)[1], s.zero + (self.compensator.begun if s.passes else 0.0)
                 most = self.over.items().get(s.name, (0.0, 0.0))[1]
-                field = round(most * scale + since, 3)
+                field = tidy(most * scale + since)
                 values[s.name] = (field - since) / scale
                 fields.append(f".{_field(s)} = {field!r}")
         return values, fields

@@ -50,9 +50,14 @@ class Spans:
         for name, span in self.items().items():
             channel, scale = named(name), unit_of(name)[1]
             since = channel.zero + (begun if channel.passes else 0.0)
-            low, high = (f"{round(v * scale + since, 3):.15g}" for v in span)
+            low, high = (f"{tidy(v * scale + since):.15g}" for v in span)
             words.append(f"{channel.column} {low} to {high}")
         return ", ".join(words) or "no channel varied"
+
+
+def tidy(value: float) -> float:
+    """Return a value of a channel as one would write it: a clock in ms, what is small in four digits."""
+    return round(value, 3) if abs(value) >= 1 else float(f"{value:.4g}")
 
 
 def unit_of(name: str) -> tuple[str, float]:
