@@ -84,6 +84,11 @@ def test_commands_of_a_machine_that_remembers_count_those_before_them(robot: Rob
     assert np.abs(joints - rigid).max() > 1e-4
     without_time = compensator.command(wanted_at)[0]  # then each stands alone
     np.testing.assert_allclose(without_time, rigid, rtol=0, atol=1e-9)
+    half = {"time_s": np.tile(np.linspace(0, 2000, n // 2), 2), "run": np.repeat([1.0, 2.0], n // 2)}
+    apart = compensator.command(wanted_at, None, compensator.channels(half, n)[0])[0]
+    for own in np.split(np.arange(n), 2):  # a run counts nothing of another
+        alone, _ = compensator.channels({"time_s": half["time_s"][own]}, n // 2)
+        np.testing.assert_allclose(apart[own], compensator.command(wanted_at[own], None, alone)[0], rtol=0, atol=1e-9)
     wanted_at[n // 2, :3] = 1e5
     _, status = compensator.command(wanted_at, None, at)  # all others wait for none that is out of reach
     assert np.flatnonzero(status != SOLVED).tolist() == [n // 2]

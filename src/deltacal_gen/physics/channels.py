@@ -169,4 +169,5 @@ def complete_channels(
                 "Fill in all cells, or leave the column out.",
                 column=column,
             )
-    return Channels(values, have.order, have.run), said
+    run = numbered(columns["run"][:, None]) if "run" in columns else None
+    return Channels(values, have.order, run), said
