@@ -166,16 +166,25 @@ def test_rows_that_are_left_out_or_assumed_are_told_and_no_mass_is_negative(know
     assert "payload_kg blank in 124 of 125 rows: no payload is assumed" in told
     with pytest.raises(dc.InputError, match=r"line 3, column 'payload_kg': a mass cannot be negative"):
         targets_along(known, tmp_path, t, points, told, payload=["0.5", *["-1"] * (len(t) - 1)])
+    targets_along(known, tmp_path, t, points, told, approach1=["0", "1", *["-1"] * (len(t) - 2)])  # 0: not known which
+    with pytest.raises(dc.InputError, match=r"line 2, column 'approach1'"):
+        targets_along(known, tmp_path, t, points, told, approach1=["0.5"] * len(t))
 
 
 def targets_along(
-    known: Path, folder: Path, t: np.ndarray, points: np.ndarray, told: list[str], payload: list[str] | None = None
+    known: Path,
+    folder: Path,
+    t: np.ndarray,
+    points: np.ndarray,
+    told: list[str],
+    payload: list[str] | None = None,
+    **others: list[str],
 ) -> FeedForward:
-    """Return commands along targets (N, 3) [mm]."""
+    """Return commands along targets (N, 3) [mm]; `others` are columns by their names."""
     rows = [",".join(f"{v!r}" for v in (time, *p)) for time, p in zip(t.tolist(), points.tolist(), strict=True)]
     rows = ["time_s,x_mm,y_mm,z_mm", *rows]
-    if payload is not None:
-        rows = [f"{row},{mass}" for row, mass in zip(rows, ["payload_kg", *payload], strict=True)]
+    for name, cells in (others if payload is None else {"payload_kg": payload, **others}).items():
+        rows = [f"{row},{cell}" for row, cell in zip(rows, [name, *cells], strict=True)]
     (folder / "line.csv").write_text("\n".join(rows))
     (folder / "line.toml").write_text(MOTION)
     return dc.feed_forward(known / "diagnosis.json", folder / "line.csv", folder / "commands.csv", tell=told.append)

@@ -90,7 +90,7 @@ def impossible(name: str, values: np.ndarray, heaviest: float = np.inf) -> tuple
     low, high = channel.ends
     wrong = (values < low) | (values > high)
     if channel.levels:
-        wrong = np.isfinite(values) & ~np.isin(values, channel.levels)
+        wrong = np.isfinite(values) & ~np.isin(values, (0.0, *channel.levels))  # 0: not known which
     if channel.weighs and not wrong.any():
         return values > heaviest, f"at most {heaviest:.3g} kg were expected on arms and a platform like these"
     return wrong, channel.expected

@@ -19,7 +19,7 @@ from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.channels import Channels
 from deltacal_gen.physics.ranges import in_words
 from deltacal_gen.results.diagnosis import Diagnosis
-from deltacal_gen.states import RECORDED, of_column
+from deltacal_gen.states import RECORDED
 from deltacal_gen.units import DEG, joint_factors, joint_names
 from deltacal_gen.use import prediction
 from deltacal_gen.use.compensation import TURNED_DEG, Compensator
@@ -229,13 +229,11 @@ def check_channels(channels: Mapping[str, Any], compensator: Compensator, known:
 def _check_values(name: str, given: Any, n: int) -> None:
     """Raise a UsageError where a channel of n targets holds what no file of targets may."""
     try:
-        values = np.array(np.broadcast_to(np.asarray(given, dtype=float), n))
+        values = np.broadcast_to(np.asarray(given, dtype=float), n)
     except (TypeError, ValueError):
         raise UsageError(f"channel '{name}': a number, or {n} of them, one for each target, were expected.") from None
     if np.isinf(values).any():
         raise UsageError(f"channel '{name}': a finite number was expected.")
-    if of_column(name).levels:
-        values[values == 0] = np.nan  # not known which
     wrong, expected = impossible(name, values)
     if wrong.any():
         raise UsageError(f"channel '{name}' holds {values[np.argmax(wrong)]:g}: {expected}.")
