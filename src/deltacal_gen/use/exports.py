@@ -71,7 +71,7 @@ def export_c(compensator: Compensator, path: str | Path, over: Spans | None = No
     It defines ``int deltacal_compensate(const double target_mm[3], double joints_deg[3])``, which returns 0 (solved),
     1 (out of reach) or 2 (singular), keeps no state and allocates nothing. The tool point is the robot's. Where the
     machine has effects there is also ``deltacal_command``, which takes temperature, payload, time and directions of
-    approach beside the target.
+    approach beside the target, and returns 3 where one that an effect reads is no finite number.
 
     Parameters
     ----------
@@ -509,8 +509,9 @@ def _c_effects(live: _Live) -> Iterator[str]:
         yield f"            (not {t.effect}: it belongs to the instrument)"
     yield f"Error left  {stated(left.worst_mm):.1e} mm at the worst of {left.points} points with these effects,"
     yield "            against the exact machine in equilibrium, over the channels as they were recorded:"
+    ends = "; polynomials end where they stand a tenth beyond the workspace" if live.columns else ""
     yield f"            {live.over.in_channels(compensator.begun)};"
-    yield "            beyond them it is extrapolated; polynomials end where they stand a tenth beyond the workspace"
+    yield f"            beyond them it is extrapolated{ends}"
     yield "            A machine at rest, and after every jump that the recording holds."
     if left.missed:
         yield f"WARNING     {left.missed} of these points are out of reach or singular"
