@@ -246,8 +246,10 @@ class Series(Correlated):
             at = dataclasses.replace(self, rho=1 - float(np.exp(fades)), own=own)
             return at.deviance(z, taken) + OWN_PRICE * (own > 0), fades, own
 
-        starts = (0.0, *OWN) if self.points > 1 else (0.0,)  # what points of a pose share is told from their own noise
-        best = min(tried(fades, own) for fades in FADES for own in starts)
+        starts = [(fades, 0.0) for fades in FADES]
+        if self.points > 1:  # what points of a pose share is told from their own noise; some of the rest is near enough
+            starts += itertools.product(FADES[1::3], OWN)
+        best = min(tried(*start) for start in starts)
         if best[1]:
             k = FADES.index(best[1])
             for own in OWN:  # noise that is each row's own makes the rest fade more slowly: the best is near the last
