@@ -25,6 +25,7 @@ from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.units import DEG
+from deltacal_gen.use.known import known_result
 from deltacal_gen.use.prediction import CORRECTED
 from tests.conftest import plausible
 from tests.left_out import DELTA, FRAME, SIGMA, channels, diagnosis, machine, record
@@ -182,8 +183,14 @@ def test_commands_undo_the_correction_too(robot: Robot, humid: dict[str, Any]) -
 def test_an_export_says_what_it_leaves_out(humid: dict[str, Any], tmp_path: Path, export: str) -> None:
     for known, said in ((humid, True), (without(humid), False)):
         dc.compensate(known, output=tmp_path / "file", export=export)
-        head = (tmp_path / "file").read_text(encoding="utf-8")[:4000]
-        assert ("The smooth correction of the answer is not in this file" in head) is said
+        heads = [(tmp_path / "file").read_text(encoding="utf-8")[:4000]]
+        compensator = dc.Compensator(known_result(known))
+        if export == "c":
+            dc.export_c(compensator, tmp_path / "other")
+        else:
+            dc.export_table(compensator, tmp_path / "other")
+        heads.append((tmp_path / "other").read_text(encoding="utf-8")[:4000])
+        assert [("The smooth correction of the answer is not in this file" in head) for head in heads] == [said] * 2
 
 
 def probed(printer: Robot, targets: Array, sigma: float = 0.0) -> Recording:

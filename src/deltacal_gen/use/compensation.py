@@ -106,6 +106,8 @@ class Compensator:
         Effects that a diagnosis found. Those of the instrument are no matter of the machine: see `effects`.
     begun : float
         From when these count the time [s]; see `Recording.origin`.
+    corrected : bool
+        Whether the answer has a smooth correction as well, which is in no command of a compensator alone.
 
     Raises
     ------
@@ -117,18 +119,26 @@ class Compensator:
     kind: CompensatorKind = CompensatorKind.EXACT
     terms: Sequence[Term] = ()
     begun: float = 0.0
+    corrected: bool = False
 
     def __init__(
-        self, robot: Robot | Result | Diagnosis, kind: str = "exact", terms: Sequence[Term] = (), begun: float = 0.0
+        self,
+        robot: Robot | Result | Diagnosis,
+        kind: str = "exact",
+        terms: Sequence[Term] = (),
+        begun: float = 0.0,
+        corrected: bool = False,
     ) -> None:
         if not isinstance(robot, Robot):
             from deltacal_gen.use.prediction import calibrated_robot, known_effects  # the fit's own modules: not always
 
             known = robot
             robot, terms, begun = calibrated_robot(known), terms or known_effects(known), known.begun_s
+            corrected = known.correction is not None
         if kind not in (known_kinds := [*CompensatorKind]):
             raise UsageError(f"there is no compensator '{kind}'; there are {' and '.join(known_kinds)}.")
-        for name, value in (("robot", robot), ("kind", CompensatorKind(kind)), ("terms", terms), ("begun", begun)):
+        own = {"robot": robot, "kind": CompensatorKind(kind), "terms": terms, "begun": begun, "corrected": corrected}
+        for name, value in own.items():
             object.__setattr__(self, name, value)
         if self.kind is CompensatorKind.LINEAR and self.effects:
             named = ", ".join(t.effect for t in self.effects)

@@ -103,9 +103,8 @@ def export_c(compensator: Compensator, path: str | Path, over: Spans | None = No
     rigid = replace(compensator, terms=())
     with using(Backend.NUMPY):  # a file holds the same digits wherever it is written from
         left = rigid.round_trip()
-        over = over or Spans()
-        live = _Live.of(after_jumps(compensator), over) if compensator.effects else None
-        write_files({Path(path): c_source(rigid, left, live, corrected=over.corrected)})
+        live = _Live.of(after_jumps(compensator), over or Spans()) if compensator.effects else None
+        write_files({Path(path): c_source(rigid, left, live)})
         return left if live is None else live.left
 
 
@@ -204,7 +203,7 @@ def _c_effect(term: Term) -> Traversable:
     return importlib.resources.files("deltacal_kernels").joinpath("effects", f"{term.effect}.c")
 
 
-def c_source(compensator: Compensator, left: RoundTrip, live: _Live | None = None, *, corrected: bool = False) -> str:
+def c_source(compensator: Compensator, left: RoundTrip, live: _Live | None = None) -> str:
     """Return the text of the C99 file that `export_c` writes; `compensator` is that of the geometry alone."""
     mechanism, kernels, robot = compensator.mechanism, compensator._kernels, compensator.robot
     body = importlib.resources.files("deltacal_kernels").joinpath(mechanism.name, _SOURCE[compensator.kind])
@@ -218,7 +217,7 @@ def c_source(compensator: Compensator, left: RoundTrip, live: _Live | None = Non
         f"static const double DELTACAL_TOOL[3] = {{ {c_numbers(robot.tool)} }}; /* mm, reference point in {{O'}} */\n"
         f"static const double DELTACAL_SIGN[{limbs}] = {{ {c_numbers(robot.joint_sign)} }}; /* of the controller */\n"
     )
-    comment = "\n".join(f" * {line}".rstrip() for line in _c_header(compensator, left, unit, live, corrected))
+    comment = "\n".join(f" * {line}".rstrip() for line in _c_header(compensator, left, unit, live))
     text = f"/*\n{comment}\n */\n{BUILD}\n{numbers}\n{body.read_text(encoding='utf-8')}"
     return text if live is None else f"{text}\n{_c_command(live, unit)}"
 
@@ -392,9 +391,7 @@ def _c_each(target: str, values: Sequence[str]) -> str:
     return "\n    ".join(f"{target.format(i=i)} = {value};" for i, value in enumerate(values))
 
 
-def _c_header(
-    compensator: Compensator, left: RoundTrip, unit: str, live: _Live | None, corrected: bool
-) -> Iterator[str]:
+def _c_header(compensator: Compensator, left: RoundTrip, unit: str, live: _Live | None) -> Iterator[str]:
     robot, mechanism = compensator.robot, compensator.mechanism
     limbs = mechanism.limbs
     what = {
@@ -411,7 +408,7 @@ def _c_header(
     yield f"            {_workspace_in_words(robot)}"
     if left.missed:
         yield f"WARNING     {left.missed} of these points are out of reach or singular"
-    if corrected:
+    if compensator.corrected:
         yield f"WARNING     {LEFT_OUT}: commands for targets in a file have it."
     if live is not None:
         yield from _c_effects(live)

@@ -29,11 +29,10 @@ class Spans:
     """Between which values the channels lay when the effects were found; only what was recorded is there.
 
     By the names of columns of corrections, in their units: warming [K over 20 degC], payload [kg], time [h]
-    from when effects count it. `corrected` tells whether the answer has a smooth correction, of which no export knows.
+    from when effects count it.
     """
 
     known: Mapping[str, tuple[float, float]] = field(default_factory=dict)
-    corrected: bool = False
 
     def items(self) -> dict[str, tuple[float, float]]:
         """Return the channels that varied, by name."""
@@ -85,7 +84,7 @@ def spans(result: Result | Diagnosis) -> Spans:
         if len(values):
             scale, since = unit_of(s.name)[1], s.zero + (result.begun_s if s.passes else 0.0)
             found[s.name] = float(values.min() - since) / scale, float(values.max() - since) / scale
-    return Spans(found, corrected=result.correction is not None)
+    return Spans(found)
 
 
 def columns_of(compensator: Compensator, terms: Sequence[Term], over: Spans) -> tuple[Column, ...]:

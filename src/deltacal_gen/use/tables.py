@@ -329,7 +329,7 @@ def _table_text(table: TableCompensator, compensator: Compensator, over: Spans) 
             + "; after every jump, and",
             f"at rest. Recorded were: {over.in_words()}; worst_mm holds within these.",
         )
-    if over.corrected:
+    if compensator.corrected:
         prose += (f"{LEFT_OUT}: commands for targets in a file have it.",)
     facts: dict[str, Any] = {
         "schema": _TABLE_SCHEMA,

@@ -105,19 +105,18 @@ def compensate(
     NoSolutionError
         Targets out of reach.
     """
-    from deltacal_gen.use import commanded, compensation, prediction
+    from deltacal_gen.use import commanded, compensation
 
     check_output(output, result, targets)
     if export is not None:
         return _exported(result, export, output, kind, worst_mm, tell)
     known = known_result(result)
-    robot = prediction.calibrated_robot(known)
-    compensator = compensation.Compensator(robot, kind, prediction.known_effects(known), known.begun_s)
+    compensator = compensation.Compensator(known, kind)
     if targets is None:
         raise UsageError("give the targets: a CSV with x_mm, y_mm, z_mm.")
     given: Any = targets
     if isinstance(targets, str | Path | Recording) or is_frame(targets):
-        recording = as_recording(given, robot, need_measured=False, allow_targets=True)
+        recording = as_recording(given, compensator.robot, need_measured=False, allow_targets=True)
         wanted = commanded.Wanted.of_file(recording, compensator, channels or {}, tell)
     else:
         wanted = commanded.Wanted.of_array(given, compensator, channels or {})
@@ -139,7 +138,7 @@ def compensate(
 
 def _exported(result: Given, export: str, output: Source | None, kind: str, worst_mm: float, tell: Progress) -> Array:
     """Write a compensator as a controller reads it; return commands (0, n_q), there being no targets."""
-    from deltacal_gen.use import compensation, exports, firmware, prediction, spans, tables
+    from deltacal_gen.use import compensation, exports, firmware, spans, tables
 
     if isinstance(moving := known_model(result), MotionModel):
         _export_in_motion(moving, export, output)
@@ -148,8 +147,7 @@ def _exported(result: Given, export: str, output: Source | None, kind: str, wors
     if export in firmware.KINDS:
         firmware_lines(known, export, _written_to(output), tell=tell)
         return np.zeros((0, 3))
-    robot = prediction.calibrated_robot(known)
-    compensator = compensation.Compensator(robot, kind, prediction.known_effects(known), known.begun_s)
+    compensator = compensation.Compensator(known, kind)
     over = spans.spans(known)
     writers = {
         "c": lambda path: exports.export_c(compensator, path, over),
@@ -157,7 +155,7 @@ def _exported(result: Given, export: str, output: Source | None, kind: str, wors
     }
     if export not in writers:
         known_exports = ", ".join([*writers, *firmware.KINDS])
-        raise UsageError(f"there is no export '{export}' for {robot.mechanism}; known: {known_exports}.")
+        raise UsageError(f"there is no export '{export}' for {compensator.robot.mechanism}; known: {known_exports}.")
     compensator.needs_loops(f"export '{export}'")
     path = _written_to(output)
     if known.correction is not None:
