@@ -24,7 +24,7 @@ from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.registry import load_mechanism, mechanism_names, mechanism_of
 from deltacal_gen.pages import ledger
-from deltacal_gen.physics.terms import effect_names
+from deltacal_gen.physics.terms import drive_effect_names, effect_names
 from derive import registry
 from derive.effects import state
 from derive.language import vocabulary
@@ -369,9 +369,9 @@ def test_all_that_an_effect_may_say_is_typeset() -> None:
 
 @pytest.fixture(scope="module")
 def pages(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder with reports of a machine, of an effect and of two kinds of measurement, in both formats."""
+    """A folder with reports of a machine, of two effects and of a kind of measurement, in both formats."""
     folder = tmp_path_factory.mktemp("reports")
-    chosen = [subject(name) for name in ("diamond/12", "backlash", "board_image", "encoder")]
+    chosen = [subject(name) for name in ("diamond/12", "backlash", "presliding_friction", "board_image")]
     for one, template, found in reports.made(chosen, lambda text: None):
         for ending in (".html", ".md"):
             for path, text in reports.files(folder / f"{one.stem}{ending}", template, found).items():
@@ -469,7 +469,7 @@ def test_a_report_is_the_same_bytes_anywhere(pages: Path, tmp_path: Path) -> Non
 
 def test_the_index_names_every_model_and_effect() -> None:
     names = {s.name for s in subjects()}
-    assert names >= {*effect_names(), *registry.measurement_names()}
+    assert names >= {*effect_names(), *drive_effect_names(), *registry.measurement_names()}
     for name in mechanism_names():
         assert any(s.mechanism == name for s in subjects()), name
     assert {"delta/42", "delta/51", "diamond/12", "planar_parallelogram/9", "robotennis/15", "serial/dh"} <= names

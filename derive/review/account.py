@@ -322,6 +322,7 @@ def target_meaning(target: str) -> str:
         "reading": f"reading along the instrument's {part}",
         "length": "reading of a length",
         "height": "reading of a height",
+        "torque": "what the joint's drive gives, beside what the rigid machine asks of it",
     }.get(kind, target)
 
 

@@ -25,7 +25,7 @@ from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.machine.registry import Machine, mechanism_names, mechanism_of
 from deltacal_gen.pages import ledger, report
 from deltacal_gen.pages.figures import AFTER, BEFORE, MUTED, decades
-from deltacal_gen.physics.terms import effect_names, load_effect
+from deltacal_gen.physics.terms import drive_effect_names, effect_names, load_effect
 from deltacal_gen.units import file_unit, to_internal
 from derive import registry
 from derive.papers import verdicts
@@ -463,7 +463,7 @@ def effect_content(one: Subject) -> dict[str, Any]:
         "kernels": table_of(used, sources),
         "machines": [
             {"name": name, "title": title_of(name), "lacks": ", ".join(applies(one.name, name))}
-            for name in mechanism_names()
+            for name in (() if one.name in drive_effect_names() else mechanism_names())  # of drives, whatever they move
         ],
         "listings_": sources.listings(),
         "provenance": _provenance(one, sources, [account["source"], "derive/effects/__init__.py", file]),

@@ -14,7 +14,7 @@ from deltacal_gen.files.robot import Robot, for_model, read_robot, robot_from_di
 from deltacal_gen.instrument.kind import Kind
 from deltacal_gen.machine.registry import load_mechanism, mechanism_names, mechanism_of
 from deltacal_gen.physics.parts import lacking
-from deltacal_gen.physics.terms import effect_names
+from deltacal_gen.physics.terms import drive_effect_names, effect_names
 from derive import registry
 from derive.spec import LimbMechanism
 
@@ -59,7 +59,7 @@ def subjects() -> list[Subject]:
     """Return all models of all mechanisms, all effects, all kinds of measurement, and the method."""
     return [
         *(Subject(model, Sort.MODEL, name) for name in mechanism_names() for model in _models(name)),
-        *(Subject(name, Sort.EFFECT) for name in effect_names()),
+        *(Subject(name, Sort.EFFECT) for name in (*effect_names(), *drive_effect_names())),
         *(Subject(name, Sort.MEASUREMENT) for name in registry.measurement_names()),
         METHOD,
     ]
