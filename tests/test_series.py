@@ -57,6 +57,8 @@ def test_points_of_a_pose_share_what_the_machine_stands_off_by() -> None:
     assert W @ covariance @ W.T == pytest.approx(np.eye(7), abs=0.01)
     assert series.points == pytest.approx(7 / 3)
     assert "the points of a pose have 80% of the noise's variance in common" in series.text
+    few = Series(np.arange(100), np.array([np.inf, STILL, *np.ones(98)]), rho=0.5)  # one pose of two points
+    assert few.text.startswith("the noise hangs together over ")
     rng = np.random.default_rng(4)
     made = np.repeat(rng.standard_normal((60, 3)), 3, axis=0) + 0.5 * rng.standard_normal((180, 3))
     gap = np.tile([1.0, STILL, STILL], 60)

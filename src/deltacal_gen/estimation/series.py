@@ -103,7 +103,7 @@ class Series(Correlated):
     @property
     def text(self) -> str:
         """How the noise of rows hangs together, in words."""
-        if self.points > 1:
+        if round(self.points) > 1:  # as most poses are read: a pose or two with more points say nothing of the rest
             words = f"the points of a pose have {1 - self.own:.0%} of the noise's variance in common"
             return f"{words} (correlation {self.rho:.2f} from pose to pose)"
         words = f"the noise hangs together over {self.rows:.0f} rows (correlation {self.rho:.2f} from row to row"

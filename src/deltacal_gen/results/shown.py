@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import html
 import math
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
@@ -31,6 +30,8 @@ def text(headline: str, rows: Table) -> str:
 
 def page(headline: str, rows: Table) -> str:
     """Return the same as HTML, for a notebook."""
+    import html  # the package imports this module, and makes no page by that
+
     names = _names(rows)
     head = "".join(f"<th>{html.escape(name)}</th>" for name in names)
     body = "".join(
