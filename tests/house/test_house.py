@@ -15,7 +15,7 @@ from pathlib import Path
 
 from tests.benchmarks.lines import functions
 
-ROOT = Path(__file__).resolve().parents[1]
+ROOT = Path(__file__).resolve().parents[2]
 PARTS = ("src/deltacal_gen", "derive", "tests")
 MODULE, FUNCTION, LINE = 600, 60, 120
 WRITTEN = ("*.py", "*.jinja", "*.css", "*.js")
