@@ -39,7 +39,6 @@ kernels: .venv/dev  ## derive and emit the kernels
 bench: .venv/dev .venv/bench  ## every work beside NumPy, Numba by hand, CasADi and JAX
 	$(BIN)/python -m tests.benchmarks
 	$(BIN)/python -m tests.benchmarks.scaling
-	$(BIN)/python -m tests.benchmarks.memory --rows 200000
 	$(BIN)/python -m tests.benchmarks.motion
 
 proof: .venv/proof  ## conceal effects, diagnose blind, grade: a table and a page in proof/
@@ -49,7 +48,6 @@ proof: .venv/proof  ## conceal effects, diagnose blind, grade: a table and a pag
 measured: .venv/dev .venv/bench .venv/proof  ## write the manual's measured tables anew, on an idle machine
 	$(BIN)/python -m tests.benchmarks --measured
 	$(BIN)/python -m tests.benchmarks.scaling --measured
-	$(BIN)/python -m tests.benchmarks.memory --rows 1000000 --measured
 	$(BIN)/python -m tests.proof -o proof --measured
 
 clean:

@@ -173,7 +173,6 @@ def test_the_commands_write_bands_where_they_are_asked_to(run: Run, tmp_path: Pa
     assert run("compensate", saved, targets, "--bands", "-o", out)[0] == 0
     assert out.read_text().partition("\n")[0].endswith("z_lo_mm,z_hi_mm")
     assert run("compensate", saved, targets, "--bands")[0] == 2
-    assert run("predict", saved, folder / "recording.csv", "--bands", "--blocks", "-o", out)[0] == 2
     older = {k: v for k, v in json.loads(saved.read_text()).items() if k != "uncertainty"}
     with pytest.raises(InputError, match="nothing of its uncertainty"):
         commands.predict(older, folder / "recording.csv", bands=True)

@@ -12,7 +12,8 @@ import deltacal_gen as dc
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.errors import InputError
 from deltacal_gen.files.dialect import converted, decimal_mark
-from deltacal_gen.files.recording import read_blocks, read_recording
+from deltacal_gen.files.recording import read_recording
+from deltacal_gen.files.rows import read_csv
 from deltacal_gen.machine.registry import load_mechanism
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.units import DEG
@@ -83,11 +84,19 @@ def test_every_form_gives_the_same_recording(tmp_path: Path, form: str) -> None:
 
 
 @pytest.mark.parametrize("form", FORMS)
-def test_blocks_are_read_as_the_whole(tmp_path: Path, form: str) -> None:
-    whole = read(tmp_path, FORMS[form])
-    parts = list(read_blocks(tmp_path / "recording.csv", DELTA, 1))
-    assert np.vstack([part.measured for part in parts]) == pytest.approx(whole.measured)
-    assert np.vstack([part.joints for part in parts]) == pytest.approx(whole.joints)
+def test_the_first_rows_are_read_as_the_whole(tmp_path: Path, form: str) -> None:
+    read(tmp_path, FORMS[form])
+    whole, first = (read_csv(tmp_path / "recording.csv", rows) for rows in (None, 1))
+    assert first.columns == {name: cells[:1] for name, cells in whole.columns.items()}
+    assert first.line.tolist() == whole.line[:1].tolist()
+
+
+def test_a_cell_may_go_on_where_the_first_rows_end(tmp_path: Path) -> None:
+    path = tmp_path / "recording.csv"
+    path.write_text('pose,q1_deg,q2_deg,q3_deg,x_mm,y_mm,z_mm\n"a\nb",1,2,3,4,5,-900\nc,2,3,4,5,6,-900\n')
+    first = read_csv(path, 1)
+    assert first.columns["pose"] == ["ab"]
+    assert first.line.tolist() == [3]
 
 
 def test_a_workbook_is_a_table(tmp_path: Path) -> None:

@@ -59,7 +59,6 @@ OF_KINDS = {
     "files/imports.py:_recording": "reads the files of firmware that probes heights",
     "files/samples.py:imported": "reads the files of motion capture, with rotations or without",
     "files/recording.py:_pairs_and_rows": "a column, which holds the labels of poses",
-    "files/recording.py:read_blocks": "a column, which holds the labels of poses",
     "use/experiments.py:_asks": "a column, which holds the labels of poses",
     "planning/runs.py:asked": "a state, which has the same name",
     "pages/motion.py:against": "a word for how far a joint slides",

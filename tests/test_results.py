@@ -179,7 +179,6 @@ def answers(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Mapping[str, 
     diagnosis = dc.diagnose(GEARBOX / "robot.toml", GEARBOX / "recording.csv")
     return {
         "result": result,
-        "in blocks": dc.identify_blocks(DELTA / "robot.toml", DELTA / "recording.csv"),
         "held": dc.identify(GEARBOX / "robot.toml", GEARBOX / "recording.csv", physics=diagnosis),
         "diagnosis": diagnosis,
         "validation": dc.validate(diagnosis, GEARBOX / "recording.csv"),
@@ -194,7 +193,6 @@ def answers(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Mapping[str, 
 
 KINDS = (
     "result",
-    "in blocks",
     "held",
     "diagnosis",
     "validation",

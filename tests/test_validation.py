@@ -61,9 +61,8 @@ def test_fresh_readings_are_as_good_as_their_noise(
 def test_what_is_no_result_is_said(tmp_path: Path, broken: dict[str, Any]) -> None:
     (tmp_path / "result.json").write_text(json.dumps(broken))
     for given in (broken, tmp_path / "result.json"):
-        for judge in (commands.validate, commands.validate_blocks):
-            with pytest.raises(InputError, match="no result of identify or diagnose"):
-                judge(given, tmp_path / "recording.csv")
+        with pytest.raises(InputError, match="no result of identify or diagnose"):
+            commands.validate(given, tmp_path / "recording.csv")
 
 
 def test_the_worst_rows_come_first_with_their_lines(

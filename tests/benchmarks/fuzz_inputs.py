@@ -221,7 +221,7 @@ def _jobs_of_kinds() -> Iterator[Job]:
 
 
 def _jobs_of_commands() -> Iterator[Job]:
-    """Yield what is used once: next, bands, places, certificates, studies, batches, blocks, cameras."""
+    """Yield what is used once: next, bands, places, certificates, studies, batches, cameras."""
     robot, recording, result = "{delta.robot.toml}", "{delta.recording.csv}", "{delta.result.json}"
     other, about = "{other.csv}", "{about.toml}"
     beside = ("delta.result.json", "other.csv", "other.toml")
@@ -246,12 +246,6 @@ def _jobs_of_commands() -> Iterator[Job]:
         ("batch", "{shop}", "-o", "{out}", "--do", "identify", "--workers", "1"),
         ("shop/recording.csv", "shop/robot.toml"),
     )
-    for command in ("identify", "validate", "predict", "simulate"):
-        first = result if command in ("validate", "predict") else robot
-        rows = "{delta.poses.csv}" if command == "simulate" else recording
-        model = ("--model", "18") if command == "identify" else ()
-        written = () if command == "validate" else ("-o", "{out.json}" if command == "identify" else "{out.csv}")
-        yield Job((command, first, rows, "--blocks", *model, *written), (first.strip("{}"), rows.strip("{}")))
     yield Job(("identify", robot, recording, "--as", "distance", "-o", "{out.json}"), ("delta.recording.csv",))
     yield Job(("import", "bag", "{run.mcap}", "-o", "{out}"), ("run.mcap",))
     yield Job(("import", "bag", "{run.mcap}", "--map", "{map.toml}", "-o", "{out}"), ("map.toml",))

@@ -10,14 +10,13 @@ from __future__ import annotations
 
 import dataclasses
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from numbers import Integral
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.errors import InputError
 from deltacal_gen.files.checks import check_home, check_repeats, impossible
 from deltacal_gen.files.columns import (
     DRIVE,
@@ -34,7 +33,7 @@ from deltacal_gen.files.dialect import LOOKED_AT
 from deltacal_gen.files.frames import rows_of
 from deltacal_gen.files.logged import put_right
 from deltacal_gen.files.quaternions import with_vectors
-from deltacal_gen.files.rows import PARQUET, Rows, csv_blocks, number_of, parquet_blocks, read_csv, read_table
+from deltacal_gen.files.rows import Rows, number_of, read_csv, read_table
 from deltacal_gen.files.sidecar import Sidecar, measurement_of, read_sidecar
 from deltacal_gen.instrument import kinds
 from deltacal_gen.instrument.kind import Kind
@@ -144,55 +143,6 @@ def recording_of(
         "like": like,
     }
     return recording_of_rows(rows, sidecar, mechanism, **how)
-
-
-def read_blocks(
-    path: str | Path,
-    mechanism: Machine,
-    rows: int,
-    *,
-    need_measured: bool = True,
-    allow_targets: bool = False,
-) -> Iterator[Recording]:
-    """Read a recording of any length, so many rows at a time; see `read_recording`.
-
-    What concerns rows far apart (repeats, labels that stand twice) is judged within a block only. Where readings are
-    needed, a block without any is passed over.
-
-    Raises
-    ------
-    UsageError
-        Blocks of less than one row.
-    InputError
-        As `read_recording`; and for distances between rows, several set-ups, or positions that count from a first row:
-        those need the whole recording.
-    """
-    if not isinstance(rows, Integral) or rows < 1:
-        raise UsageError(f"rows = {rows}: a block needs a whole number of rows, at least 1.")
-    path = Path(path)
-    sidecar, done, setups, blank = read_sidecar(path), 0, set[str](), need_measured
-    for block in parquet_blocks(path, rows) if path.suffix.lower() == PARQUET else csv_blocks(path, rows):
-        part = _recording(path, block, sidecar, mechanism, need_measured, allow_targets, doubtful=False)
-        setups |= {*part.setup_names}
-        several = f"several set-ups ({', '.join(sorted(setups))})"
-        for what, found in (
-            ("distances between rows", part.pairs is not None),
-            (several, len(setups) > 1),
-            ("an incremental zero", part.measurement.zero == "incremental"),
-        ):
-            if found:
-                raise InputError(f"{what} cannot be read in blocks.", "Read the recording as a whole.", file=path)
-        if "pose" not in block.columns:
-            part = dataclasses.replace(part, pose=np.arange(done + 1, done + part.n_rows + 1).astype(str))
-        done += part.n_rows
-        free = [n for n, cells in block.columns.items() if not (any(cells) or n in RESERVED or JOINT.fullmatch(n))]
-        blanks = {name: np.full(part.n_rows, np.nan) for name in free}  # another block may hold numbers there
-        part = dataclasses.replace(part, channels=blanks | part.channels)
-        if not need_measured or _is_measured(part):
-            blank = False
-            yield part
-    if blank:
-        raise _no_reading(part)
 
 
 def _recording(
@@ -553,13 +503,14 @@ def _with_pairs(recording: Recording, pairs: Rows, rows: Rows, need_measured: bo
 def is_recording(path: Path) -> bool:
     """Tell whether a table holds joints, and it or a file that belongs to it a reading; its values are not judged."""
 
+    def holds_reading(rows: Rows) -> bool:
+        return any(any(rows.columns[name]) for name in rows.columns if name in MEASURED)
+
     def filled(table: Path, joints: bool) -> bool:
-        for rows in csv_blocks(table, LOOKED_AT):
-            if joints and not any(JOINT.fullmatch(name) or _JOINT_OF_END.fullmatch(name) for name in rows.columns):
-                return False
-            if any(any(rows.columns[name]) for name in rows.columns if name in MEASURED):
-                return True
-        return False
+        begun = read_csv(table, LOOKED_AT)
+        if joints and not any(JOINT.fullmatch(name) or _JOINT_OF_END.fullmatch(name) for name in begun.columns):
+            return False
+        return holds_reading(begun) or holds_reading(read_csv(table))
 
     try:
         own = (distances_path(path), instrument_path(path))

@@ -151,37 +151,24 @@ def read_table(path: Path) -> Rows:
     return read_workbook(path) if path.suffix.lower() in WORKBOOKS else read_csv(path)
 
 
-def read_csv(path: Path) -> Rows:
-    """Read a CSV file; raises InputError."""
-    return next(csv_blocks(path, None))
-
-
-def csv_blocks(path: Path, rows: int | None) -> Iterator[Rows]:
-    """Read a CSV file so many rows at a time, or all at once; raises InputError."""
+def read_csv(path: Path, first: int | None = None) -> Rows:
+    """Read a CSV file, or its first rows, as many as `first`; raises InputError."""
     encoding = encoding_of(path)
     _check_text(path)
     try:
         with path.open(encoding=encoding) as file:
             remarks: list[tuple[int, str]] = []
             lines = _lines((line.rstrip("\n") for line in file), remarks)
-            begun = list(itertools.islice(lines, None if rows is None else LOOKED_AT))
+            begun = list(itertools.islice(lines, None if first is None else LOOKED_AT))
             if not begun:
                 raise InputError("the file is empty.", "Give a header and one row per reading.", file=path)
             begun = with_header(begun, remarks)
             layout = _parsed(path, begun, lambda: layout_of(path, begun))
-            head, rest = (
-                begun[layout.header : layout.header + 1 + layout.units],
-                begun[layout.header + 1 + layout.units :],
-            )
-            lines = itertools.chain(rest, lines)
-            block = list(itertools.islice(lines, rows))
-            while True:
-                while sum(line.count('"') for _, line in block) % 2 and (more := next(lines, None)):
-                    block.append(more)  # a cell goes on in the next line
-                yield _csv_rows(path, head, block, layout)
-                block = list(itertools.islice(lines, rows)) if rows is not None else []
-                if not block:
-                    return
+            lines = itertools.chain(begun[layout.header :], lines)
+            kept = list(itertools.islice(lines, None if first is None else 1 + layout.units + first))
+            while first is not None and sum(line.count('"') for _, line in kept) % 2 and (more := next(lines, None)):
+                kept.append(more)  # a cell goes on in the next line
+            return _csv_rows(path, kept, layout)
     except OSError as error:
         raise InputError(f"the file cannot be read: {error.strerror}.", "Check the path.", file=path) from None
     except UnicodeError:
@@ -218,9 +205,8 @@ def _parsed(path: Path, lines: Sequence[tuple[int, str]], parse: Callable[[], _P
         raise InputError(f"this is not CSV: {error}.", "Correct the quotes.", file=path, line=lines[0][0]) from None
 
 
-def _csv_rows(path: Path, head: list[tuple[int, str]], block: list[tuple[int, str]], layout: Layout) -> Rows:
-    """Return lines as cells; `head` holds the header and, where there is one, the row of units."""
-    kept = head + block
+def _csv_rows(path: Path, kept: list[tuple[int, str]], layout: Layout) -> Rows:
+    """Return lines as cells; the first hold the header and, where there is one, the row of units."""
     reader = csv.reader((line for _, line in kept), delimiter=layout.separator, strict=True)
     table: list[list[str]] = []
     numbers: list[int] = []
@@ -335,11 +321,6 @@ def _trimmed(row: list[str]) -> list[str]:
 
 def read_parquet(path: Path) -> Rows:
     """Read a Parquet file; raises InputError."""
-    return next(parquet_blocks(path, None))
-
-
-def parquet_blocks(path: Path, rows: int | None) -> Iterator[Rows]:
-    """Read a Parquet file so many rows at a time, or all at once; raises InputError."""
     try:
         import pyarrow as pa
         import pyarrow.parquet as pq
@@ -349,20 +330,16 @@ def parquet_blocks(path: Path, rows: int | None) -> Iterator[Rows]:
             "Install it (pip install pyarrow), or save the file as CSV.",
             file=path,
         ) from None
-    done = 0
     try:
         with pq.ParquetFile(path) as file:
-            whole = rows is None or not file.metadata.num_rows
-            for batch in [file.read()] if whole else file.iter_batches(rows):
-                count = batch.num_rows
-                if not count:
-                    raise InputError("there is no row.", "Add one row per reading.", file=path)
-                cells = [["" if c is None else str(c).strip() for c in column.to_pylist()] for column in batch.columns]
-                yield typed_rows(path, batch.schema.names, cells, np.arange(done + 1, done + count + 1))
-                done += count
+            table = file.read()
+        cells = [["" if c is None else str(c).strip() for c in column.to_pylist()] for column in table.columns]
     except (OSError, ValueError, pa.ArrowException) as error:
         reason = str(error).splitlines()[0] if str(error) else type(error).__name__
         raise InputError(f"this is not a readable Parquet file: {reason}.", "Save it again.", file=path) from None
+    if not table.num_rows:
+        raise InputError("there is no row.", "Add one row per reading.", file=path)
+    return typed_rows(path, table.schema.names, cells, np.arange(1, table.num_rows + 1))
 
 
 def _check_header(path: Path, header: Sequence[str], line: int | None) -> None:

@@ -53,31 +53,6 @@ def write_recording(recording: Recording, path: str | Path) -> None:
     write_files(files | {path: csv_text(columns)})
 
 
-def write_blocks(parts: Iterable[Recording], path: str | Path) -> int:
-    """Write the parts of a recording one after the other, as CSV with its sidecar; return the number of rows.
-
-    The files appear when all is written. The columns are those of the first part.
-
-    Raises
-    ------
-    InputError
-        A file cannot be written; see also `write_recording`.
-    """
-    path, done, header = Path(path), 0, list[str]()
-    if path.suffix != ".csv" or distances_path(path).exists():
-        raise InputError("recordings are written as CSV, and no distances may lie beside it.", "Rename.", file=path)
-    sidecar = path.with_suffix(".toml")
-    with staging((sidecar, path)) as staged, staged[path].open("w", encoding="utf-8", newline="") as file:
-        for part in parts:
-            columns, blank = file_columns(part)[0], np.full(part.n_rows, np.nan)
-            header = header or list(columns)
-            text = csv_text({name: columns.get(name, blank) for name in header})
-            file.write(text if not done else text.partition("\n")[2])
-            done += part.n_rows
-            staged[sidecar].write_text(sidecar_text(part), encoding="utf-8")
-    return done
-
-
 def file_columns(recording: Recording) -> tuple[Columns, Columns]:
     """Columns of the recording and of its distances, in the units of the files."""
     poses = recording.pose.tolist()

@@ -53,8 +53,6 @@ class Facts:
         Whether the first values are coordinates of the measured point in a frame of the instrument.
     rotations : bool
         Whether rotations are read too; their noise is another than that of lengths.
-    in_blocks : bool
-        Whether a recording can be identified block by block: each row for itself, one noise.
     anew : bool
         Whether what is unknown of the instrument is unknown in every session, and found by its readings together.
     stays : bool
@@ -86,7 +84,6 @@ class Facts:
     whereabouts: ClassVar[str] = "where the instrument stands"
     aliases: ClassVar[tuple[str, ...]] = ()  # what sidecars may call it too
     positions: ClassVar[bool] = False
-    in_blocks: ClassVar[bool] = False
     anew: ClassVar[bool] = False
     stays: ClassVar[bool] = False
     apart: ClassVar[bool] = False

@@ -22,9 +22,9 @@ import deltacal_kernels
 import numpy as np
 
 # poses from which a work pays for loading Numba and the compiled kernels, half a second or ten where nothing has been
-# compiled yet: one call, a fit of all poses some fifty times, the search of a diagnosis (a hundred fits), and files
-# that are read in blocks of so many rows because they are long; of a machine of three joints, others in proportion
-PAYS_FROM = {"call": 20_000, "identify": 1_000, "diagnose": 300, "blocks": 5_000}
+# compiled yet: one call, a fit of all poses some fifty times, the search of a diagnosis (a hundred fits); of a machine
+# of three joints, others in proportion
+PAYS_FROM = {"call": 20_000, "identify": 1_000, "diagnose": 300}
 JOINTS = 3  # of the machine that `PAYS_FROM` is told of
 
 

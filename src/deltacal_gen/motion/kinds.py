@@ -13,7 +13,7 @@ from deltacal_gen.errors import InputError
 from deltacal_gen.files.columns import DRIVE, JOINT, Columns, instrument_path
 from deltacal_gen.files.dialect import LOOKED_AT
 from deltacal_gen.files.robot import robot_of
-from deltacal_gen.files.rows import csv_blocks
+from deltacal_gen.files.rows import read_csv
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion import trajectories
@@ -195,8 +195,8 @@ def is_recording(path: Path) -> bool:
     try:
         if (said := trajectories.read_sidecar(path)) is None:
             return False
-        names = next(csv_blocks(path, LOOKED_AT)).columns
-        beside = names if said.measurement.clock is None else next(csv_blocks(instrument_path(path), LOOKED_AT)).columns
+        names = read_csv(path, LOOKED_AT).columns
+        beside = names if said.measurement.clock is None else read_csv(instrument_path(path), LOOKED_AT).columns
     except InputError:
         return False
     return any(JOINT.fullmatch(n) for n in names) and any(DRIVE.fullmatch(n) for n in beside)

@@ -161,10 +161,7 @@ class Firmware(Value):
 
 
 class Result(Answer):
-    """What a recording says of a machine: contract, section 6.
-
-    Read in blocks, a recording gives no figure that asks for single readings: those keys are then null or absent.
-    """
+    """What a recording says of a machine: contract, section 6."""
 
     schema: Literal["deltacal.result/1"] = "deltacal.result/1"
     model: str
@@ -209,7 +206,7 @@ class Result(Answer):
     robot: RobotTables
     """The calibrated machine."""
     uncertainty: Uncertainty | None = None
-    """Null of what was read in blocks, or written before it was told."""
+    """Null where an earlier version wrote the file."""
     unit: str | None = None
     """Of the readings, where they are no lengths: px, deg. Each of their figures stands in this unit beside mm."""
     unit_mm: float | None = None

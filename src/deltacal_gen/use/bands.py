@@ -70,8 +70,8 @@ def known_of(result: Result | Diagnosis) -> Uncertainty:
         )
     if result.uncertainty is None:
         raise InputError(
-            "the result says nothing of its uncertainty: it was made in blocks, or by an earlier version.",
-            "Run identify or diagnose again, without --blocks.",
+            "the result says nothing of its uncertainty: it was made by an earlier version.",
+            "Run identify or diagnose again.",
         )
     return result.uncertainty
 

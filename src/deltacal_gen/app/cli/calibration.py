@@ -9,7 +9,6 @@ import typer
 from rich.table import Table
 
 from deltacal_gen.app.cli.common import (
-    Blocks,
     Decimal,
     Json,
     Model,
@@ -23,7 +22,6 @@ from deltacal_gen.app.cli.common import (
     screen,
     show_any,
 )
-from deltacal_gen.errors import UsageError
 from deltacal_gen.results.base import shown_in
 
 if TYPE_CHECKING:
@@ -57,7 +55,6 @@ def identify(
     ] = None,
     picture: Annotated[Path | None, typer.Option(help="what it found, .svg or .png", show_default=False)] = None,
     report: Annotated[Path | None, typer.Option(help="a page to read, .html", show_default=False)] = None,
-    blocks: Blocks = False,
     decimal: Decimal = None,
     as_json: Json = False,
 ) -> None:
@@ -65,25 +62,20 @@ def identify(
     from deltacal_gen.app import commands
 
     commands.check_output(picture, robot, recording, output, report, ending=commands.PICTURES)
-    if blocks:
-        if as_kind or physics or picture or report or solver != "prior":
-            raise UsageError("in blocks positions are fitted by least squares; leave the other options out.")
-        found = commands.identify_blocks(robot, recording, model, output)
-    else:
-        with progress(as_json) as tell:
-            found = commands.identify(
-                robot,
-                recording,
-                model,
-                output,
-                as_distance=_as_distance(as_kind),
-                solver=solver,
-                truncation=int(truncation) if truncation.isdecimal() else truncation,
-                robust=robust,
-                physics=physics,
-                report=report,
-                progress=tell,
-            )
+    with progress(as_json) as tell:
+        found = commands.identify(
+            robot,
+            recording,
+            model,
+            output,
+            as_distance=_as_distance(as_kind),
+            solver=solver,
+            truncation=int(truncation) if truncation.isdecimal() else truncation,
+            robust=robust,
+            physics=physics,
+            report=report,
+            progress=tell,
+        )
     if picture is not None:
         from deltacal_gen.pages import figures
 
@@ -133,7 +125,6 @@ def _show_result(found: Result) -> None:
         screen.print(escaped(found.uncertainty.text), style="dim")
     held = found.heldout_rms_mm
     unit, length = shown_in(found)
-    # nothing was held out of blocks
     beside = "" if held is None else f", [bold]held-out {number(held / length)} {unit}[/bold]"
     screen.print(
         f"[bold]{counts[Status.IDENTIFIED]} of {sum(counts.values())} parameters identified[/bold], "

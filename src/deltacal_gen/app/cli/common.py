@@ -41,9 +41,6 @@ Decimal = Annotated[
         "--decimal", callback=_decimal, metavar="MARK", help="of tables, . or ,: asked for where it is not certain"
     ),
 ]
-Blocks = Annotated[
-    bool, typer.Option("--blocks", help="some rows at a time, in a fixed memory: one set-up, positions, no effects")
-]
 
 
 def output_file(help: str) -> Any:

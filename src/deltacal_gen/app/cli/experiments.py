@@ -9,7 +9,6 @@ import typer
 from rich.table import Table
 
 from deltacal_gen.app.cli.common import (
-    Blocks,
     Decimal,
     Json,
     RobotFile,
@@ -203,7 +202,6 @@ def simulate(
         float, typer.Option(help="standard deviation of a reading, in its unit (mm, px, deg; Nm, N, A)")
     ] = 0.0,
     seed: Annotated[int, typer.Option(help="of noise and unknown frame")] = 0,
-    blocks: Blocks = False,
     decimal: Decimal = None,
     as_json: Json = False,
 ) -> None:
@@ -211,18 +209,13 @@ def simulate(
     from deltacal_gen.app import commands
     from deltacal_gen.results.written import Simulated
 
-    if blocks:
-        rows = commands.simulate_blocks(robot, poses, output, truth=truth, noise=noise, seed=seed)
-        kind, what, noisy = None, "readings", None
-    else:
-        done = commands.simulate(robot, poses, output, truth=truth, noise=noise, seed=seed)
-        rows = done.n_rows if done.pairs is None else len(done.pairs)
-        kind, what, noisy = done.kind, f"readings of the kind {done.kind}", _noise_told(done, noise)
+    done = commands.simulate(robot, poses, output, truth=truth, noise=noise, seed=seed)
+    rows = done.n_rows if done.pairs is None else len(done.pairs)
     if as_json:
-        print_json(Simulated(recording=str(output), readings=rows, kind=kind))
+        print_json(Simulated(recording=str(output), readings=rows, kind=done.kind))
     else:
-        screen.print(f"{rows} {what} written to {output}")
-        if noisy is not None:
+        screen.print(f"{rows} readings of the kind {done.kind} written to {output}")
+        if (noisy := _noise_told(done, noise)) is not None:
             screen.print(noisy)
 
 

@@ -9,7 +9,6 @@ import typer
 from rich.table import Table
 
 from deltacal_gen.app.cli.common import (
-    Blocks,
     Decimal,
     Json,
     RecordingFile,
@@ -157,7 +156,6 @@ def predict(
     bands: Annotated[
         bool, typer.Option("--bands", help="beside each value between which ends it lies with 95 % probability")
     ] = False,
-    blocks: Blocks = False,
     decimal: Decimal = None,
     as_json: Json = False,
 ) -> None:
@@ -167,17 +165,6 @@ def predict(
     from deltacal_gen.results.written import Predicted
     from deltacal_gen.use.prediction import CORRECTED
 
-    if blocks:
-        if place is not None:
-            raise UsageError("in blocks the set-up must be known to the result; leave --place or --blocks out.")
-        if bands:
-            raise UsageError("bands need the whole result at once; leave --bands or --blocks out.")
-        rows = commands.predict_blocks(result, recording, output)
-        if as_json:
-            print_json(Predicted(file=str(output), readings=rows, told=()))
-        else:
-            screen.print(f"{rows} readings predicted in {output}")
-        return
     told: list[str] = []
     done = commands.predict(result, recording, output, place=place, bands=bands, tell=told.append)
     if not isinstance(done, Recording):
@@ -209,16 +196,13 @@ def validate(
     result: ResultFile,
     recording: RecordingFile,
     report: Annotated[Path | None, typer.Option(help="a page to read, .html", show_default=False)] = None,
-    blocks: Blocks = False,
     decimal: Decimal = None,
     as_json: Json = False,
 ) -> None:
     """Hold a calibrated model against readings that it has not seen."""
     from deltacal_gen.app import commands
 
-    if blocks and report is not None:
-        raise UsageError("there is no page of a validation in blocks; leave --report or --blocks out.")
-    found = commands.validate_blocks(result, recording) if blocks else commands.validate(result, recording, report)
+    found = commands.validate(result, recording, report)
     if as_json:
         print_json(found)
         return

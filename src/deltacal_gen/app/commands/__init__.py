@@ -5,9 +5,9 @@ A function writes only where it is given an output path, and then all or nothing
 
 from __future__ import annotations
 
-from deltacal_gen.app.commands.calibration import diagnose, identify, identify_blocks, matrix
+from deltacal_gen.app.commands.calibration import diagnose, identify, matrix
 from deltacal_gen.app.commands.common import PICTURES, check_output
-from deltacal_gen.app.commands.experiments import loop, next_poses, plan, simulate, simulate_blocks
+from deltacal_gen.app.commands.experiments import loop, next_poses, plan, simulate
 from deltacal_gen.app.commands.guide import demo, manual, manual_examples, manual_site
 from deltacal_gen.app.commands.many import batch, study
 from deltacal_gen.app.commands.model_side import claims, derivation, effects, kernels, models, reproduce, trial, warm
@@ -27,9 +27,7 @@ from deltacal_gen.app.commands.use import (
     feed_forward,
     firmware_lines,
     predict,
-    predict_blocks,
     validate,
-    validate_blocks,
 )
 
 __all__ = [
@@ -47,7 +45,6 @@ __all__ = [
     "feed_forward",
     "firmware_lines",
     "identify",
-    "identify_blocks",
     "import_bag",
     "import_c3d",
     "import_klipper",
@@ -65,13 +62,10 @@ __all__ = [
     "next_poses",
     "plan",
     "predict",
-    "predict_blocks",
     "reproduce",
     "simulate",
-    "simulate_blocks",
     "study",
     "trial",
     "validate",
-    "validate_blocks",
     "warm",
 ]

@@ -165,22 +165,6 @@ def _finished(found: InMotion, output: Source | None, report: Source | None, *fi
     return found
 
 
-def identify_blocks(
-    robot: AnyRobot, recording: Source, model: str | None = None, output: Source | None = None
-) -> Result:
-    """Identify from a recording of any length, in a fixed memory; see `streams.identify`."""
-    from deltacal_gen.use import streams
-
-    check_output(output, robot, recording)
-    files = (robot, recording)
-    robot = as_robot(robot)
-    model = mechanism_of(robot).full_model if model is None else model
-    found = streams.identify(for_model(robot, model), recording, model).answer().replace(made=made(*files))
-    if output is not None:
-        write_json(found, output)
-    return found
-
-
 def diagnose(
     robot: AnyRobot,
     recording: AnyRecording,

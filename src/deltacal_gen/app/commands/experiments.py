@@ -239,31 +239,6 @@ def _in_motion(done: Trajectories, output: Source | None, noise: float) -> Traje
     return done
 
 
-def simulate_blocks(
-    robot: AnyRobot,
-    poses: Source,
-    output: Source,
-    *,
-    truth: Source | Mapping[str, float] | None = None,
-    noise: float = 0.0,
-    seed: int = 0,
-) -> int:
-    """Simulate a recording of any length, from file to file in a fixed memory; return the rows. See `simulate`.
-
-    Raises
-    ------
-    UsageError
-        A truth with effects: they may ask for the whole recording.
-    """
-    from deltacal_gen.use import streams
-
-    check_output(output, robot, poses, truth, ending=(".csv",))
-    robot, errors, terms = _truth(as_robot(robot), truth)
-    if terms:
-        raise UsageError("effects are not simulated in blocks; leave --blocks out.")
-    return streams.simulate(robot, poses, output, errors, noise=noise, rng=np.random.default_rng(seed))
-
-
 def _truth(
     robot: Robot, truth: Source | Mapping[str, float] | None
 ) -> tuple[Robot, dict[str, float] | None, Sequence[Term]]:

@@ -31,7 +31,6 @@ from deltacal_gen.machine.values import Recording
 from deltacal_gen.motion.kinds import columns_of
 from deltacal_gen.physics.ranges import in_words
 from deltacal_gen.results.certificate import Certificate, Party
-from deltacal_gen.results.diagnosis import Diagnosis
 from deltacal_gen.results.motion import (
     MotionDiagnosis,
     MotionModel,
@@ -341,20 +340,6 @@ def predict(
     return done if done.pairs is not None else dataclasses.replace(done, channels=done.channels | ends)
 
 
-def predict_blocks(result: Given, recording: Source, output: Source) -> int:
-    """Predict the readings of a recording of any length, from file to file in a fixed memory; return the rows.
-
-    Raises
-    ------
-    UsageError
-        A diagnosis with effects or a smooth correction: they may ask for the whole recording.
-    """
-    from deltacal_gen.use import streams
-
-    check_output(output, result, recording, ending=(".csv",))
-    return streams.predict(_of_rows(result), recording, output)
-
-
 def _moving(recording: object) -> Torque:
     """Return a recording in motion, which a result of one asks for; raises InputError where it is none."""
     found = in_motion(recording)
@@ -417,28 +402,6 @@ def _validated_in_motion(
 
         write_files({Path(report): page.validation(found, moving.drawn(known))})
     return found
-
-
-def validate_blocks(result: Given, recording: Source) -> Validation:
-    """Return the error of a calibrated model on a recording of any length, in a fixed memory; see `validate`.
-
-    Raises
-    ------
-    UsageError
-        A diagnosis with effects or a smooth correction: they may ask for the whole recording.
-    """
-    from deltacal_gen.use import streams
-
-    known, own = _of_rows(result), made(result, recording)
-    return streams.validate(known, recording).replace(made=own, seen=_seen_before(own, known.made))
-
-
-def _of_rows(result: Given) -> Result | Diagnosis:
-    """Return a result by which each row of a recording is predicted for itself."""
-    known = known_result(result)
-    if known.physics or known.correction is not None:
-        raise UsageError("a diagnosis, with its effects, is not used in blocks; leave --blocks out.")
-    return known
 
 
 def certificate(

@@ -23,7 +23,6 @@ class Pose(Position):
     """Positions and rotations."""
 
     aliases: ClassVar[tuple[str, ...]] = ()
-    in_blocks: ClassVar[bool] = False
     second_point: ClassVar[bool] = False
     rotation_beside: ClassVar[bool] = False
 

@@ -99,7 +99,6 @@ class Position(Kind):
 
     positions: ClassVar[bool] = True
     aliases: ClassVar[tuple[str, ...]] = ("one axis",)
-    in_blocks: ClassVar[bool] = True
     second_point: ClassVar[bool] = True
     more_poses: ClassVar[bool] = True
 

@@ -29,7 +29,6 @@ class TouchedBoard(Position):
     aliases: ClassVar[tuple[str, ...]] = ("touched board",)
     under: ClassVar[str] = "position"
     aims: ClassVar[str] = "touch"
-    in_blocks: ClassVar[bool] = False
     filled: ClassVar[Mapping[str, float]] = {"board_z_mm": 0.0}
     reported: ClassVar[Mapping[str, int]] = {"board_scale": 12}
     confounds: ClassVar[Mapping[str, tuple[str, str]]] = {
