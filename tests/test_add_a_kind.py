@@ -5,7 +5,6 @@ from __future__ import annotations
 import dataclasses
 import json
 import shutil
-import sys
 from dataclasses import dataclass
 
 import numpy as np
@@ -18,7 +17,6 @@ from tests.copies import Checkout, printed, untried
 
 POSES, FITTED, NOISE, OPTIMAL = 130, 100, 0.005, 30
 WITH_TRUTH = ("--truth", "truth.toml", "--noise", NOISE)
-MEASURING = f"{sys.executable} -m deltacal_gen.app.cli simulate robot.toml {{poses}} -o {{readings}}"
 MODEL = ("--model", "24")
 FEW = ("--trials", 10, "--noise", NOISE, "--workers", 1)
 LINES: list[tuple[object, ...]] = [
@@ -32,7 +30,7 @@ LINES: list[tuple[object, ...]] = [
     ("matrix", "robot.toml", "seen.csv", *MODEL, "-o", "H.npz"),
     ("compensate", "diagnosis.json", "--export", "c", "-o", "command.c"),
 ]
-MANY = {"loop", "batch"}  # commands of the tests that take longer
+MANY = {"batch"}  # command of the test that takes longer
 OF_OTHERS = {"effects", "models"}  # those that list or show what no kind changes
 
 
@@ -133,12 +131,7 @@ def test_many_recordings_of_it_are_taken(added: Checkout) -> None:
     cell.mkdir(parents=True)
     for file in ("robot.toml", "seen.csv", "seen.toml"):
         shutil.copy(added.folder / file, cell)
-    for end in ("csv", "toml"):
-        shutil.copy(added.folder / f"seen.{end}", added.folder / f"grown.{end}")
-    measuring = f"{MEASURING} --truth truth.toml --noise {NOISE}"
-    loop = ("loop", "robot.toml", "grown.csv", "--measure", measuring, "--budget", 20, "-o", "last.json")
-    added.deltacal(("batch", "hall", "-o", "run", "--do", "identify", "--workers", 1), loop)
-    assert json.loads((added.folder / "last.json").read_text(encoding="utf-8"))["effects"] == []
+    added.deltacal(("batch", "hall", "-o", "run", "--do", "identify", "--workers", 1))
 
 
 def test_what_cannot_be_meant_is_refused() -> None:

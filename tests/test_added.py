@@ -7,7 +7,6 @@ import ctypes
 import json
 import shutil
 import subprocess
-import sys
 from pathlib import Path
 from typing import Any
 
@@ -29,7 +28,6 @@ l_3 = -0.1
 bx_2 = 0.05
 """
 WITH_TRUTH = ("--truth", "truth.toml", "--noise", NOISE)
-MEASURING = f"{sys.executable} -m deltacal_gen.app.cli simulate robot.toml {{poses}} -o {{readings}} --noise {NOISE}"
 LINES: list[tuple[object, ...]] = [
     ("simulate", "robot.toml", "poses.csv", "-o", "recording.csv", *WITH_TRUTH),
     ("simulate", "robot.toml", "other.csv", "-o", "unseen.csv", *WITH_TRUTH, "--seed", 5),
@@ -44,7 +42,6 @@ LINES: list[tuple[object, ...]] = [
     ("diagnose", "robot.toml", "recording.csv", "-o", "diagnosis.json", "--report", "diagnosis.html"),
     ("identify", "robot.toml", "recording.csv", "--physics", "diagnosis.json", "-o", "held.json"),
     ("next", "diagnosis.json", "-o", "next.csv"),
-    ("loop", "robot.toml", "grown.csv", "--measure", MEASURING, "--budget", 20),
     ("study", "robot.toml", "--plan", "poses.csv", "--model", "21", "--trials", 20, "--noise", NOISE),
     ("batch", "hall", "-o", "run", "--do", "identify", "--workers", 1),
     ("compare", "result.json", "held.json"),

@@ -33,7 +33,6 @@ ANSWERS = {  # what `schema` says, and the type of it: module and class
     "deltacal.manual/1": ("written", "Manual"),
     "deltacal.matrix/1": ("written", "Matrix"),
     "deltacal.next/1": ("written", "Experiment"),
-    "deltacal.loop/1": ("written", "Looped"),
     "deltacal.plan/1": ("plan", "Plan"),
     "deltacal.prediction/1": ("written", "Predicted"),
     "deltacal.feedforward/1": ("written", "FedForward"),

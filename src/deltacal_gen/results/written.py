@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import Literal
 
 from deltacal_gen.results.base import Answer, Rows, Value
-from deltacal_gen.results.diagnosis import Verdict
 
 
 class Simulated(Answer):
@@ -146,31 +145,6 @@ class Experiment(Answer):
     advice: tuple[str, ...]
     """What no poses settle, in words."""
     motion: Runs | None = None
-
-
-class Round(Value):
-    """A diagnosis within a loop, and what it asked to be measured next."""
-
-    verdict: Verdict
-    effects: tuple[str, ...]
-    laws: tuple[str, ...]
-    """Of the best law, what its terms say."""
-    open: tuple[str, ...]
-    """Questions that poses can settle."""
-    rows: int
-    """Measured after it."""
-
-
-class Looped(Answer):
-    """What a loop of experiments came to."""
-
-    schema: Literal["deltacal.loop/1"] = "deltacal.loop/1"
-    recording: str
-    rows: int
-    """Measured in all."""
-    settled: bool
-    """Whether nothing is open that poses could settle."""
-    rounds: tuple[Round, ...]
 
 
 class Imported(Answer):

@@ -50,7 +50,6 @@ _COMMANDS: dict[str, Callable[..., None]] = {  # in the order of the help
     "identify": calibration.identify,
     "diagnose": calibration.diagnose,
     "next": experiments.next_,
-    "loop": experiments.loop,
     "effects": model_side.effects,
     "matrix": calibration.matrix,
     "compensate": use.compensate,

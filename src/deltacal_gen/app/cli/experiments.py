@@ -16,7 +16,6 @@ from deltacal_gen.app.cli.common import (
     number,
     output_file,
     print_json,
-    progress,
     screen,
 )
 
@@ -276,45 +275,3 @@ def _show_runs(found: Runs, output: Path | None) -> None:
         "it, diagnose again"
     )
     screen.print(f"other lengths or rates: {escaped(found.command)}")
-
-
-def loop(
-    robot: RobotFile,
-    recording: Annotated[
-        Path, typer.Argument(metavar="RECORDING", help="recording (CSV) that grows; it may not be there yet")
-    ] = Path("recording.csv"),
-    measure: Annotated[
-        str,
-        typer.Option(help="command that measures: it reads {poses} and writes {readings}, or two last arguments"),
-    ] = "",
-    output: Annotated[Path | None, output_file("DIAGNOSIS.json, of every round anew")] = None,
-    budget: Annotated[int | None, typer.Option(help="how many rows may be measured; default 120")] = None,
-    model: Annotated[str | None, typer.Option("--model", help="default: the largest", show_default=False)] = None,
-    as_json: Json = False,
-) -> None:
-    """Propose rows, have a command measure them, append, diagnose: until nothing is open or the budget is spent."""
-    from deltacal_gen.app import commands
-    from deltacal_gen.results.written import Round
-
-    count = 0
-
-    def told(done: Round) -> None:
-        nonlocal count
-        count += 1
-        if not as_json:
-            found = [*done.effects, *done.laws] or ["nothing named"]
-            screen.print(f"round {count}: {done.verdict.replace('_', ' ')}: {escaped(', '.join(found))}")
-            for why in done.open:
-                screen.print(f"  open: {escaped(why)}")
-            if done.rows:
-                screen.print(f"  {done.rows} rows are measured")
-
-    with progress(as_json) as tell:
-        found = commands.loop(robot, recording, measure, output, budget=budget, model=model, told=told, progress=tell)
-    if as_json:
-        print_json(found)
-    else:
-        how = "nothing is open that poses could settle" if found.settled else "the budget is spent"
-        screen.print(f"{how}; {found.rows} rows were measured into {recording}")
-    if not found.settled:
-        raise typer.Exit(1)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from deltacal_gen.app.commands.calibration import diagnose, identify, matrix
 from deltacal_gen.app.commands.common import PICTURES, check_output
-from deltacal_gen.app.commands.experiments import loop, next_poses, plan, simulate
+from deltacal_gen.app.commands.experiments import next_poses, plan, simulate
 from deltacal_gen.app.commands.guide import demo, manual, manual_examples, manual_site
 from deltacal_gen.app.commands.many import batch, study
 from deltacal_gen.app.commands.model_side import claims, derivation, effects, kernels, models, reproduce, trial, warm
@@ -53,7 +53,6 @@ __all__ = [
     "import_rrf",
     "import_urdf",
     "kernels",
-    "loop",
     "manual",
     "manual_examples",
     "manual_site",

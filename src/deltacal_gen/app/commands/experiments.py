@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
@@ -14,13 +14,11 @@ from deltacal_gen.app.commands.common import (
     PICTURES,
     AnyRecording,
     AnyRobot,
-    Progress,
     Source,
     as_recording,
     as_robot,
     check_output,
     in_motion,
-    silent,
 )
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.columns import instrument_path
@@ -34,11 +32,10 @@ from deltacal_gen.machine.values import Recording
 if TYPE_CHECKING:
     from deltacal_gen.motion.trajectories import Trajectories
     from deltacal_gen.physics.terms import Term
-    from deltacal_gen.results.diagnosis import Diagnosis
     from deltacal_gen.results.motion import MotionDiagnosis, MotionPlan
     from deltacal_gen.results.plan import CyclePlan, Plan
     from deltacal_gen.results.reader import Given
-    from deltacal_gen.results.written import Experiment, Looped, Round
+    from deltacal_gen.results.written import Experiment
 
 
 def plan(
@@ -322,31 +319,3 @@ def _next_runs(known: MotionDiagnosis, output: Source | None, budget: int | None
         advice=tuple(f"{n.why}: {n.text}" for n in known.next_measurements),
         motion=None if found is None else found.answer,
     )
-
-
-def loop(
-    robot: AnyRobot,
-    recording: Source,
-    measure: str,
-    output: Source | None = None,
-    *,
-    budget: int | None = None,
-    model: str | None = None,
-    told: Callable[[Round], None] = lambda done: None,
-    progress: Progress = silent,
-) -> Looped:
-    """Propose rows, have them measured, append them and diagnose; `output` is the last DIAGNOSIS.json.
-
-    See `deltacal_gen.app.loop.loop`.
-    """
-    from deltacal_gen.app import loop as cycle
-    from deltacal_gen.app.commands.calibration import diagnose
-
-    check_output(output, robot, recording)
-    machine = as_robot(robot)
-
-    def diagnosed(path: Path, tell: Progress) -> Diagnosis:
-        return diagnose(robot, path, output, model=model, progress=tell)
-
-    most = cycle.BUDGET if budget is None else budget
-    return cycle.loop(machine, Path(recording), measure, diagnosed, budget=most, told=told, progress=progress)
