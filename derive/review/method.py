@@ -89,7 +89,7 @@ def _solver_steps() -> list[Step]:
     A, b, values, _, V = _system()
     posterior = (V * [float(curvature.subs(s, v)) for v in values]) @ V.T
     spread_off = float(np.abs(solvers.Prior().solve(A, b).covariance - posterior).max())
-    name = "tests/test_solvers.py::"
+    name = "tests/estimation/test_solvers.py::"
     amplitude = sp.Symbol("a", positive=True)
     return [
         Step(
@@ -147,7 +147,7 @@ def _truncation() -> Step:
             ends=[solvers.TSVD.solve],
         ),
         float(abs(chosen - int(np.argmin(scores)))),
-        "tests/test_solvers.py::test_cross_validation_of_a_truncation_is_its_formula",
+        "tests/estimation/test_solvers.py::test_cross_validation_of_a_truncation_is_its_formula",
     )
 
 
@@ -167,7 +167,7 @@ def _rough_and_fine() -> Step:
             ends=[fit.fit],
         ),
         float(np.abs(A.T @ (A @ u - b)).max()),
-        "tests/test_bai2015.py::test_one_linear_step_after_the_offsets_is_enough",
+        "tests/machine/test_bai2015.py::test_one_linear_step_after_the_offsets_is_enough",
     )
 
 
@@ -189,7 +189,7 @@ def _weights() -> Step:
             ends=[residuals.robust_weights],
         ),
         gap,
-        "tests/test_diagnosis_controls.py::test_noise_with_heavy_tails_is_noise",
+        "tests/diagnosis/test_diagnosis_controls.py::test_noise_with_heavy_tails_is_noise",
     )
 
 
@@ -240,7 +240,7 @@ def _search_steps() -> list[Step]:
                 ends=[charges.gains],
             ),
             abs(gains - taken),
-            "tests/test_discrimination.py::test_expected_gains_are_those_of_fitting_anew",
+            "tests/diagnosis/test_discrimination.py::test_expected_gains_are_those_of_fitting_anew",
         ),
         Step(
             "Charge of a search",
@@ -252,7 +252,7 @@ def _search_steps() -> list[Step]:
                 ends=[charges.quantile],
             ),
             abs(float((50 * tail).subs(x, level)) - charges.CHANCE),
-            "tests/test_derivation.py::test_the_method_is_what_the_runtime_computes",
+            "tests/derive/test_derivation.py::test_the_method_is_what_the_runtime_computes",
         ),
     ]
 
@@ -278,7 +278,7 @@ def _smooth_steps() -> list[Step]:
                 ends=[orders.shape, orders.waves],
             ),
             float(max(abs(float(variance.subs({order: int(j), corner: 7.0})) - shape[j - 1]) for j in n)),
-            "tests/test_spectrum.py::test_the_error_is_known_to_the_standard_deviation_that_is_stated",
+            "tests/diagnosis/test_spectrum.py::test_the_error_is_known_to_the_standard_deviation_that_is_stated",
         ),
         Step(
             "Smooth correction",
@@ -289,7 +289,7 @@ def _smooth_steps() -> list[Step]:
                 ends=[correction.Smooth.displacement, correction._kernel],
             ),
             abs(float(kernel.subs({gap: 0.8, length: 0.5})) - float(correction._kernel(values, knots, 0.5)[0, 0])),
-            "tests/test_correction.py::test_a_function_fades_over_its_length",
+            "tests/diagnosis/test_correction.py::test_a_function_fades_over_its_length",
         ),
     ]
 

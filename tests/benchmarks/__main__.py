@@ -27,7 +27,7 @@ from rich.table import Table
 
 from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.machine.registry import mechanism_names
-from tests.measured import write
+from tests.support.measured import write
 
 from .contenders import KERNEL, MISSING, NUMBA, NUMPY, OURS, TOOLS, Contender, Work
 from .works import WORKS, disagreement, works

@@ -19,7 +19,7 @@ import numpy as np
 from deltacal_gen import read_recording, read_robot
 from deltacal_gen.app import commands
 from deltacal_gen.machine.registry import mechanism_of
-from tests.measured import write
+from tests.support.measured import write
 
 COMMAND = "python -m tests.benchmarks.arm SERIES_A SERIES_D --measured"
 NAMES = ("A", "D")

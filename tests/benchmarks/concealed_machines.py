@@ -25,7 +25,7 @@ from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.channels import Channels
 from deltacal_gen.physics.terms import displaces_points, effect_names, load_effect
 from deltacal_gen.units import DEG
-from tests.drawn import example_of
+from tests.support.drawn import example_of
 
 Array = np.ndarray
 MACHINES = (

@@ -15,7 +15,7 @@ from pathlib import Path
 
 import deltacal_gen as dc
 from deltacal_gen.app.demonstration import example
-from tests.dcc_structure import flaws
+from tests.support.dcc_structure import flaws
 
 
 def main() -> int:

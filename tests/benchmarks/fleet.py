@@ -26,7 +26,7 @@ from deltacal_gen.errors import DeltacalError
 from deltacal_gen.execution import Outcome, Task
 from deltacal_gen.planning import monte_carlo
 from deltacal_gen.planning.machines import Study
-from tests.measured import write
+from tests.support.measured import write
 
 COMMAND = "python -m tests.benchmarks.fleet FOLDER --measured"
 MODEL = "delta/32"

@@ -10,7 +10,7 @@ import numpy as np
 
 from deltacal_gen.app import commands
 from deltacal_gen.app.demonstration import example
-from tests import test_bags, test_mocap
+from tests.files import test_bags, test_mocap
 
 TARGETS = {
     "delta": "x_mm,y_mm,z_mm\n0,0,-853\n99,0,-900\n",

@@ -33,8 +33,8 @@ from tests.benchmarks.honesty_power import ASKED, EFFECTS, FALSE, apart, five, p
 from tests.benchmarks.honesty_rounds import SORTS as AMBIGUOUS
 from tests.benchmarks.honesty_rounds import round_of
 from tests.benchmarks.sitting import Entry, Sitting, add_options, kept, sit, wilson
-from tests.conftest import plausible
-from tests.left_out import DELTA, record
+from tests.support.left_out import DELTA, record
+from tests.support.prototype import plausible
 
 NEW = 25  # poses at which bands are asked
 ALIKE = 10.0  # of chi2: effects that poses of an ideal detector part by less are not told apart

@@ -15,9 +15,9 @@ from deltacal_gen.results.result import Result
 from deltacal_gen.units import to_file
 from deltacal_gen.use.prediction import predict
 from tests.benchmarks.honesty_nulls import ROBOT
-from tests.conftest import plausible, wanted
-from tests.every_effect import sized
-from tests.left_out import DELTA, FRAME, channels, record
+from tests.support.every_effect import sized
+from tests.support.left_out import DELTA, FRAME, channels, record
+from tests.support.prototype import plausible, wanted
 
 POSES, WIDE = 60, 1.96  # standard deviations of a 95 % interval
 MUCH = 0.2  # mm: up to which an effect moves what is read, so that it is named

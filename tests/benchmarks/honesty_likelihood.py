@@ -16,8 +16,8 @@ import numpy as np
 from scipy.optimize import minimize_scalar
 
 from tests.benchmarks.honesty_nulls import AXES, READ_AT_ONCE, SIGMA, noiseless, null
-from tests.conftest import plausible
-from tests.left_out import DELTA
+from tests.support.left_out import DELTA
+from tests.support.prototype import plausible
 
 Array = np.ndarray
 STEP = 1e-3  # ordinary errors: of a difference

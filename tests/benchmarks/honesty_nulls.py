@@ -12,8 +12,8 @@ from collections.abc import Mapping
 import numpy as np
 
 from deltacal_gen.machine.values import Recording
-from tests.conftest import plausible
-from tests.left_out import DELTA, channels, machine, record
+from tests.support.left_out import DELTA, channels, machine, record
+from tests.support.prototype import plausible
 
 ROBOT = machine()
 SIGMA = 0.01  # mm

@@ -19,8 +19,8 @@ from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.terms import Term
 from tests.benchmarks.honesty_chance import geometry_of
 from tests.benchmarks.honesty_nulls import ROBOT, SIGMA
-from tests.conftest import plausible
-from tests.left_out import DELTA, channels, effect, record
+from tests.support.left_out import DELTA, channels, effect, record
+from tests.support.prototype import plausible
 
 POSES, LIMB = 100, (2,)
 SHOWN = 60.0  # of chi2: about what an effect of the sizes below explains

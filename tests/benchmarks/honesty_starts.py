@@ -18,9 +18,9 @@ from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.physics.terms import Term, blank, row_coefficients
 from deltacal_gen.units import joint_factors, joint_names
 from tests.benchmarks.concealed_machines import ordinary_errors
-from tests.conftest import scattered
-from tests.every_effect import ARM, PRINTER, chain
-from tests.left_out import FRAME, channels, machine
+from tests.support.every_effect import ARM, PRINTER, chain
+from tests.support.left_out import FRAME, channels, machine
+from tests.support.prototype import scattered
 
 Array = np.ndarray
 POSES, LIMB = 60, (2,)

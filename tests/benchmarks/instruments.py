@@ -1,7 +1,7 @@
 """Boards and cameras against what is true: ``python -m tests.benchmarks.instruments PART --count N -o FILE``.
 
 ``camera``: an arm with errors in ten of its dimensions, a camera on its last link or beside it, 0.2 px of noise, one
-in twenty points found wrongly; all of it from `tests.exact_camera`. Counted: parameters within three standard
+in twenty points found wrongly; all of it from `tests.support.exact_camera`. Counted: parameters within three standard
 deviations of the truth; how far hand and eye are off, where the machine is told and where it is not, beside a bundle
 adjustment that is told the machine and which points are wrong, and beside the bound of Cramer and Rao, of which the
 squared error by the bound's covariance is 1 in the mean; images of new poses, beside OpenCV's hand-eye methods on the
@@ -28,7 +28,7 @@ from scipy.optimize import least_squares, root
 from scipy.spatial.transform import Rotation
 
 import deltacal_gen as dc
-from tests.exact_camera import (
+from tests.support.exact_camera import (
     DH,
     GRID,
     LENS,
@@ -43,7 +43,7 @@ from tests.exact_camera import (
     turn,
     write,
 )
-from tests.independent_delta import closure, numbers
+from tests.support.independent_delta import closure, numbers
 
 Array = np.ndarray
 VIEWS, NEW = 30, 12

@@ -19,7 +19,7 @@ import numpy as np
 
 import deltacal_gen as dc
 from deltacal_gen.errors import DeltacalError
-from tests.motion_recordings import NOISE, named, usual, written
+from tests.support.motion_recordings import NOISE, named, usual, written
 
 Curve = Callable[[np.ndarray], np.ndarray]
 STATES = {"q": ("q",), "qd": ("qd",), "torque": ("torque",), "qd q": ("q", "qd"), "qd torque": ("qd", "torque")}

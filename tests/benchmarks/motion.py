@@ -30,8 +30,8 @@ from deltacal_gen.files.robot import robot_from_dict, robot_to_toml
 from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.machine.dynamics import dynamics_of
 from deltacal_gen.machine.registry import mechanism_of
-from tests.every_effect import ARM
-from tests.machines_with_loops import NAMES, machine, states
+from tests.support.every_effect import ARM
+from tests.support.machines_with_loops import NAMES, machine, states
 
 Array = np.ndarray
 

@@ -1,8 +1,8 @@
 """Machines in motion that have what nobody says: rigid torques of another engine, friction by formulas of its own.
 
-The rigid machine is MuJoCo's (`tests.mujoco_trees`) where the extra `proof` is installed, of the Delta one in five;
-else Newton's and Euler's equations of the tests for the arm and the derived torques for the Delta, which agree with
-MuJoCo's to 1e-8 (`tests/test_dynamics_of_others.py`). `Case.engine` says which. What drives have
+The rigid machine is MuJoCo's (`tests.support.mujoco_trees`) where the extra `proof` is installed, of the Delta one in
+five; else Newton's and Euler's equations of the tests for the arm and the derived torques for the Delta, which agree
+with MuJoCo's to 1e-8 (`tests/kernels/test_dynamics_of_others.py`). `Case.engine` says which. What drives have
 beside is written here once more, from the contract's definitions, and uses nothing of the effects' kernels. How large
 an effect is drawn is settled by an ideal fit: without it, so fitted, the rest would be larger by `SHOWS`.
 """
@@ -23,9 +23,9 @@ from deltacal_gen.machine.dynamics import dynamics_of
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.rigid import Rigid
-from tests.every_effect import ARM
-from tests.machines_with_loops import machine
-from tests.mujoco_trees import torque_of_chain, torque_of_linkage
+from tests.support.every_effect import ARM
+from tests.support.machines_with_loops import machine
+from tests.support.mujoco_trees import torque_of_chain, torque_of_linkage
 
 Array = np.ndarray
 DEG = np.pi / 180
@@ -118,7 +118,7 @@ def arm(rng: np.random.Generator) -> Made:
     inertia = np.asarray(dynamics_of(robot).stated()).reshape(len(links), 10)
     if available():
         return robot, bare, lambda s: torque_of_chain(links, inertia, s, (0.0, 0.0, -9.81)), "mujoco"
-    from tests import independent_dynamics
+    from tests.support import independent_dynamics
 
     def newton(s: Array) -> Array:
         g = np.array([0.0, 0.0, -9.81])
@@ -132,7 +132,7 @@ def delta(rng: np.random.Generator) -> Made:
     robot = replace(machine("delta"), joint_sign=np.ones(3))
     bare = replace(robot, masses=None)
     if available() and rng.integers(BY_ENGINE) == 0:
-        from tests.test_dynamics_of_others import delta as linkage
+        from tests.kernels.test_dynamics_of_others import delta as linkage
 
         at = np.array([0.0, 0.0, -850.0, 0.0, 0.0, 0.0])
         return robot, bare, lambda s: torque_of_linkage(linkage(robot), s, at), "mujoco"

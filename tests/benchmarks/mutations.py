@@ -61,36 +61,46 @@ PAPERS = {
 }
 RELATED = {"delta": ("delta", "complete_delta"), "statics": ("delta", "linear_delta")}
 NEAREST = {  # tests by what was changed, the nearest and quickest first
-    "delta": ("test_bai2015", *(f"claims/test_bai_{part}" for part in ("model", "identification", "experiment"))),
-    "complete_delta": ("test_savoure2006",),
-    "planar_parallelogram": ("test_savoure2006",),
-    "simplified_parallelogram": ("test_savoure2006",),
-    "diamond": ("test_mei2018",),
-    "robotennis": ("test_traslosheros2013",),
-    "linear_delta": ("test_linear_delta",),
-    "serial": ("test_serial",),
+    "delta": (
+        "machine/test_bai2015",
+        *(f"claims/test_bai_{part}" for part in ("model", "identification", "experiment")),
+    ),
+    "complete_delta": ("machine/test_savoure2006",),
+    "planar_parallelogram": ("machine/test_savoure2006",),
+    "simplified_parallelogram": ("machine/test_savoure2006",),
+    "diamond": ("machine/test_mei2018",),
+    "robotennis": ("machine/test_traslosheros2013",),
+    "linear_delta": ("machine/test_linear_delta",),
+    "serial": ("machine/test_serial",),
 }
 BY_KIND = {
     "mechanisms": (
-        "test_papers",
-        "test_every_mechanism",
-        "test_physics",
-        "test_laws",
-        "test_derivation",
-        "test_frozen",
+        "derive/test_papers",
+        "whole/test_every_mechanism",
+        "physics/test_physics",
+        "derive/test_laws",
+        "derive/test_derivation",
+        "whole/test_frozen",
     ),
-    "effects": ("test_physics", "test_states", "test_memory", "test_laws", "test_derivation", "test_frozen"),
+    "effects": (
+        "physics/test_physics",
+        "derive/test_states",
+        "physics/test_memory",
+        "derive/test_laws",
+        "derive/test_derivation",
+        "whole/test_frozen",
+    ),
     "measurements": (
-        "test_measurement",
-        "test_boards",
-        "test_kinds",
-        "test_camera",
-        "test_contact",
-        "test_points",
-        "test_traslosheros2013",
-        "test_frozen",
+        "kinds/test_measurement",
+        "kinds/test_boards",
+        "kinds/test_kinds",
+        "files/test_camera",
+        "kinds/test_contact",
+        "files/test_points",
+        "machine/test_traslosheros2013",
+        "whole/test_frozen",
     ),
-    "statics": ("test_physics", "test_laws", "test_frozen"),
+    "statics": ("physics/test_physics", "derive/test_laws", "whole/test_frozen"),
 }
 
 
@@ -252,7 +262,7 @@ class Bench:
         kind = kind if kind != "derive" else "statics"
         chosen = " or ".join(PAPERS.get(name, ()))
         if chosen:
-            code, said = self.pytest("tests/test_papers.py", "-k", f"committed and ({chosen})")
+            code, said = self.pytest("tests/derive/test_papers.py", "-k", f"committed and ({chosen})")
             if code:
                 return said
         code, said = self.run("-m", "derive", *RELATED.get(name, (name,)))

@@ -20,7 +20,7 @@ import numpy as np
 
 from deltacal_gen.app import commands
 from deltacal_gen.errors import DeltacalError
-from tests.measured import write
+from tests.support.measured import write
 
 COMMAND = "python -m tests.benchmarks.printers FOLDER --measured"
 SESSION = re.compile(r"-s\d+(-mesh\d+)?$")

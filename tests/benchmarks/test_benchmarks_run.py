@@ -9,8 +9,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-# by the name that `python -m tests.benchmarks` uses: Numba's cache holds the names of modules
-sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 from deltacal_gen.machine.registry import mechanism_names
 from deltacal_gen.pages import manual
 from tests.benchmarks import __main__ as every

@@ -2,13 +2,9 @@
 
 from __future__ import annotations
 
-import sys
-from pathlib import Path
-
 import numpy as np
 import pytest
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 from tests.benchmarks.concealed_cases import OUTSIDE, generate, plan, readings
 from tests.benchmarks.concealed_machines import INSTRUMENTS, shown
 

@@ -9,7 +9,7 @@ import pytest
 
 from tests.benchmarks import motion_blind, motion_by_hand
 from tests.benchmarks.motion_cases import FOREIGN, generate, torque
-from tests.motion_recordings import usual, written
+from tests.support.motion_recordings import usual, written
 
 
 def test_kinds_fall_to_both_machines() -> None:

@@ -20,7 +20,7 @@ from deltacal_gen.machine.registry import mechanism_names, mechanism_of
 from deltacal_gen.machine.values import Camera, Measurement, Robot
 from derive.review import checks
 from derive.review.subjects import example
-from tests.measured import write
+from tests.support.measured import write
 
 COMMAND = "python -m tests.benchmarks.truth --measured"
 MORE: dict[str, tuple[str, Mapping[str, Any]]] = {  # what else may be unknown of boards

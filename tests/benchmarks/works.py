@@ -25,7 +25,7 @@ from deltacal_gen.machine.backend import JOINTS, Backend, using, working
 from deltacal_gen.machine.registry import load_mechanism, mechanism_names, mechanism_of
 from deltacal_gen.machine.rotation import cayley_matrix, cayley_vector
 from deltacal_gen.use.compensation import Compensator
-from tests.drawn import example_of
+from tests.support.drawn import example_of
 
 from . import by_hand, by_hand_chain, by_hand_numba
 from .contenders import (

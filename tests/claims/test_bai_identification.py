@@ -14,7 +14,7 @@ from deltacal_gen.machine.registry import Machine
 from deltacal_gen.physics.simulation import simulate
 from tests.claims import independent_bai as bai
 from tests.claims.symbolic_bai import L, a, e, is_zero, l, lhat, phi, rows, symbols, t, u0, u1, v0, w0
-from tests.conftest import wanted
+from tests.support.prototype import wanted
 
 sp = pytest.importorskip("sympy", reason="the proofs need the dependency group 'derive'")
 

@@ -11,7 +11,7 @@ import numpy as np
 from deltacal_gen.pages import report
 from deltacal_gen.pages.figures import AFTER, BEFORE, MUTED, STYLE, mpl, sheet
 from tests.benchmarks import motion_blind
-from tests.measured import PACKAGES, write
+from tests.support.measured import PACKAGES, write
 
 Entry = Mapping[str, Any]
 KINDS = {

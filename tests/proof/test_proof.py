@@ -17,7 +17,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 from deltacal_gen.files.robot import Robot, robot_from_dict, robot_to_dict
 from deltacal_gen.machine.values import Measurement, Recording
 from deltacal_gen.pages import manual

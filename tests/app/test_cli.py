@@ -1,0 +1,235 @@
+"""The command line as a user meets it: outputs, exit codes, and messages that name file, line, column and remedy."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from deltacal_gen.app import commands
+from deltacal_gen.app.demonstration import example
+from tests.support.commands import Run
+
+
+@pytest.fixture
+def shop(tmp_path: Path) -> Path:
+    """A folder with the embedded example's robot and recording."""
+    for name in ("robot.toml", "recording.csv", "recording.toml"):
+        (tmp_path / name).write_text((example() / name).read_text())
+    return tmp_path
+
+
+def edited(path: Path, line: int, column: str, value: str) -> None:
+    """Write `value` into a cell of a CSV; lines count from 1, the header is line 1."""
+    rows = [row.split(",") for row in path.read_text().splitlines()]
+    rows[line - 1][rows[0].index(column)] = value
+    path.write_text("\n".join(",".join(row) for row in rows) + "\n")
+
+
+def without_labels(path: Path) -> None:
+    """Remove the column of pose labels, the first, so that a changed joint contradicts no repeat."""
+    path.write_text("\n".join(row.split(",", 1)[1] for row in path.read_text().splitlines()) + "\n")
+
+
+def test_identify_predict_compensate_hang_together(run: Run, shop: Path) -> None:
+    result = shop / "result.json"
+    code, out, _ = run("identify", shop / "robot.toml", shop / "recording.csv", "-o", result, "--json")
+    assert code == 0
+    found = json.loads(out)
+    assert found == json.loads(result.read_text())
+    assert found["schema"] == "deltacal.result/1"
+    assert found["heldout_rms_mm"] < 0.006  # the instrument's noise is 0.005
+    assert {p["status"] for p in found["parameters"]} <= {"identified", "pinned by prior", "not pinned", "fixed"}
+    assert all(p["std"] is None for p in found["parameters"] if p["status"] == "not pinned")
+
+    assert run("predict", result, shop / "recording.csv", "-o", shop / "predicted.csv")[0] == 0
+    measured, predicted = (
+        np.genfromtxt(shop / name, delimiter=",", names=True)["x_mm"] for name in ("recording.csv", "predicted.csv")
+    )
+    assert np.std(measured - predicted) < 0.006
+
+    (shop / "targets.csv").write_text("x_mm,y_mm,z_mm\n0,0,-853\n300,-200,-900\n")
+    assert run("compensate", result, shop / "targets.csv", "-o", shop / "joints.csv")[0] == 0
+    joints = np.genfromtxt(shop / "joints.csv", delimiter=",", names=True)
+    assert len(joints) == 2
+    assert run("compensate", result, "--export", "c", "-o", shop / "compensator.c")[0] == 0
+    assert "deltacal_compensate" in (shop / "compensator.c").read_text()
+
+    code, out, _ = run("validate", result, shop / "recording.csv", "--json")
+    assert code == 0
+    assert json.loads(out)["iso9283"]["RP_mean_mm"] < 0.03
+
+
+def test_simulate_then_identify_recovers_what_was_put_in(run: Run, tmp_path: Path) -> None:
+    robot = example() / "robot.toml"
+    (tmp_path / "truth.toml").write_text("[parameters]\ntheta_2 = 0.4\nL_3 = -0.7\n")
+    recording = tmp_path / "recording.csv"
+    assert run("simulate", robot, example() / "poses.csv", "--truth", tmp_path / "truth.toml", "-o", recording)[0] == 0
+    code, out, _ = run("identify", robot, recording, "--model", "delta/18", "--json")
+    assert code == 0
+    values = {p["name"]: p["value"] for p in json.loads(out)["parameters"]}
+    assert values["theta_2"] == pytest.approx(0.4, abs=1e-6)
+    assert values["L_3"] == pytest.approx(-0.7, abs=1e-6)
+    assert values["L_1"] == pytest.approx(0.0, abs=1e-6)
+
+
+def test_poses_without_a_sidecar_are_read_in_the_robots_frame(run: Run, tmp_path: Path) -> None:
+    (tmp_path / "poses.csv").write_text("x_mm,y_mm,z_mm\n0,0,-853\n100,0,-800\n0,200,-900\n")
+    code, _, _ = run("simulate", example() / "robot.toml", tmp_path / "poses.csv", "-o", tmp_path / "out.csv")
+    assert code == 0
+    read = np.genfromtxt(tmp_path / "out.csv", delimiter=",", names=True)
+    assert read["z_mm"] == pytest.approx([-853, -800, -900], abs=1e-9)
+    assert 'frame = "robot"' in (tmp_path / "out.toml").read_text()
+
+
+def test_matrix_of_the_paper_has_its_shape_and_rank(run: Run, shop: Path) -> None:
+    what = ("--model", "delta/36", "--as", "distance", "--scaling", "paper")
+    code, out, _ = run("matrix", shop / "robot.toml", shop / "recording.csv", *what, "-o", shop / "H.npz", "--json")
+    assert code == 0
+    assert json.loads(out)["rank"] == 32
+    with np.load(shop / "H.npz") as saved:
+        assert saved["H"].shape == (len(saved["r"]), 36)
+        assert saved["names"][0] == "theta_1"
+
+
+@pytest.mark.parametrize(
+    ("line", "column", "value", "words"),
+    [
+        (7, "q2_deg", "abc", ("line 7", "q2_deg", "number")),
+        (7, "q2_deg", "", ("line 7", "q2_deg")),
+        (7, "q2_deg", "nan", ("line 7", "q2_deg")),
+        (9, "x_mm", "oops", ("line 9", "x_mm")),
+        (2, "q1_deg", "-700", ("q1_deg",)),
+    ],
+)
+def test_bad_cells_are_named_and_nothing_is_written(
+    run: Run, shop: Path, line: int, column: str, value: str, words: tuple[str, ...]
+) -> None:
+    without_labels(shop / "recording.csv")
+    edited(shop / "recording.csv", line, column, value)
+    code, out, err = run("identify", shop / "robot.toml", shop / "recording.csv", "-o", shop / "result.json")
+    assert code == 3
+    assert out == ""
+    assert "recording.csv" in err
+    for word in words:
+        assert word in err
+    assert not (shop / "result.json").exists()
+
+
+def test_one_wild_row_is_listed_and_moves_nothing(run: Run, shop: Path) -> None:
+    without_labels(shop / "recording.csv")
+    edited(shop / "recording.csv", 6, "q1_deg", "60")
+    code, out, _ = run("identify", shop / "robot.toml", shop / "recording.csv", "--json")
+    assert code == 0
+    found = json.loads(out)
+    assert 6 in found["gross_errors"]
+    assert found["heldout_rms_mm"] < 0.006
+
+
+def test_a_pose_label_with_two_sets_of_joints_names_both_lines(run: Run, shop: Path) -> None:
+    edited(shop / "recording.csv", 3, "q1_deg", "5.0")
+    code, _, err = run("identify", shop / "robot.toml", shop / "recording.csv")
+    assert code == 3
+    assert "2" in err
+    assert "line 3" in err
+
+
+def test_swapped_readings_are_caught_before_they_are_believed(run: Run, shop: Path) -> None:
+    path = shop / "recording.csv"
+    rows = [row.split(",") for row in path.read_text().splitlines()]
+    for column in ("x_mm", "y_mm", "z_mm"):
+        c = rows[0].index(column)
+        rows[10][c], rows[40][c] = rows[40][c], rows[10][c]
+    path.write_text("\n".join(",".join(row) for row in rows) + "\n")
+    code, _, err = run("identify", shop / "robot.toml", path)
+    assert code == 3
+    assert "lines 11 and 41 are swapped" in err
+
+
+def test_metres_in_a_millimetre_column_are_recognised(run: Run, shop: Path) -> None:
+    path = shop / "recording.csv"
+    rows = [row.split(",") for row in path.read_text().splitlines()]
+    columns = [rows[0].index(c) for c in ("x_mm", "y_mm", "z_mm")]
+    for row in rows[1:]:
+        for c in columns:
+            row[c] = repr(float(row[c]) / 1000)
+    path.write_text("\n".join(",".join(row) for row in rows) + "\n")
+    code, _, err = run("identify", shop / "robot.toml", path)
+    assert code == 3
+    assert "metres" in err
+
+
+def test_an_empty_recording_and_a_missing_file_are_said_plainly(run: Run, shop: Path) -> None:
+    (shop / "recording.csv").write_text("")
+    code, _, err = run("identify", shop / "robot.toml", shop / "recording.csv")
+    assert code == 3
+    assert "empty" in err
+    code, _, err = run("identify", shop / "robot.toml", shop / "absent.csv")
+    assert code == 3
+    assert "absent.csv" in err
+
+
+def test_a_misspelt_robot_key_is_answered_with_the_right_one(run: Run, shop: Path) -> None:
+    path = shop / "robot.toml"
+    path.write_text(path.read_text().replace("proximal_length", "proximal_lenght"))
+    code, _, err = run("identify", path, shop / "recording.csv")
+    assert code == 3
+    assert "proximal_length" in err
+    assert "robot.toml, line" in err
+
+
+def test_too_few_readings_say_how_many_are_needed(run: Run, shop: Path) -> None:
+    lines = (shop / "recording.csv").read_text().splitlines()
+    (shop / "few.csv").write_text("\n".join(lines[:8]) + "\n")
+    (shop / "few.toml").write_text((shop / "recording.toml").read_text())
+    code, _, err = run("identify", shop / "robot.toml", shop / "few.csv", "--model", "delta/42")
+    assert code == 3
+    assert "48 are needed" in err  # 42 parameters, 6 of the frame; the sidecar declares the noise
+
+
+def test_an_unreachable_target_is_no_solution(run: Run, shop: Path) -> None:
+    (shop / "far.csv").write_text("x_mm,y_mm,z_mm\n0,0,-853\n0,0,-5000\n")
+    code, _, err = run("simulate", shop / "robot.toml", shop / "far.csv", "-o", shop / "out.csv")
+    assert code == 4
+    assert "line 3" in err
+    assert not (shop / "out.csv").exists()
+
+
+def test_usage_errors_have_their_own_code(run: Run, shop: Path) -> None:
+    assert run("identify", shop / "robot.toml", shop / "recording.csv", "--model", "delta/99")[0] == 2
+    assert run("identify", shop / "robot.toml", shop / "recording.csv", "--solver", "magic")[0] == 2
+    assert run("identify")[0] == 2
+    assert run("nonsense")[0] == 2
+
+
+def test_a_result_that_is_no_result_is_refused(run: Run, shop: Path) -> None:
+    (shop / "result.json").write_text("{}")
+    code, _, err = run("predict", shop / "result.json", shop / "recording.csv", "-o", shop / "out.csv")
+    assert code == 3
+    assert "result.json" in err
+
+
+def test_models_lists_every_parameter_with_unit_and_meaning(run: Run) -> None:
+    code, out, _ = run("models", "--json")
+    assert code == 0
+    delta = next(m for m in json.loads(out) if m["mechanism"] == "delta")
+    assert len(delta["parameters"]) == 42
+    assert all(p["meaning"] and p["unit"] for p in delta["parameters"])
+    assert len(delta["models"]["delta/32"]) == 32
+
+
+def test_kernels_outside_a_checkout_say_so(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(commands.model_side, "checkout", lambda: None)
+    code, _, err = run("kernels")
+    assert code == 2
+    assert "source checkout" in err
+
+
+def test_nothing_at_run_time_imports_sympy() -> None:
+    rooms = ("app.cli", "diagnosis.diagnosis", "planning.planning")
+    code = f"import sys, {', '.join(f'deltacal_gen.{room}' for room in rooms)}; sys.exit('sympy' in sys.modules)"
+    assert subprocess.run([sys.executable, "-c", code]).returncode == 0
