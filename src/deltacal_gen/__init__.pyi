@@ -1,0 +1,64 @@
+"""What ``deltacal_gen`` exports, and where it lives; ``__init__`` looks names up here, on first use."""
+
+from .app.commands import (
+    batch as batch,
+    certificate as certificate,
+    claims as claims,
+    compare as compare,
+    compensate as compensate,
+    demo as demo,
+    derivation as derivation,
+    diagnose as diagnose,
+    effects as effects,
+    feed_forward as feed_forward,
+    firmware_lines as firmware_lines,
+    identify as identify,
+    import_bag as import_bag,
+    import_c3d as import_c3d,
+    import_klipper as import_klipper,
+    import_marlin as import_marlin,
+    import_points as import_points,
+    import_rrf as import_rrf,
+    import_urdf as import_urdf,
+    kernels as kernels,
+    manual as manual,
+    manual_examples as manual_examples,
+    manual_site as manual_site,
+    matrix as matrix,
+    models as models,
+    next_poses as next_poses,
+    plan as plan,
+    predict as predict,
+    reproduce as reproduce,
+    simulate as simulate,
+    study as study,
+    validate as validate,
+)
+from .errors import (
+    DeltacalError as DeltacalError,
+    InputError as InputError,
+    NoSolutionError as NoSolutionError,
+    UsageError as UsageError,
+)
+from .estimation.arrays import PoseSet as PoseSet, estimate as estimate, nominal as nominal
+from .estimation.solvers import LeastSquares as LeastSquares, Prior as Prior, Ridge as Ridge, TSVD as TSVD
+from .files.dialect import decimal_mark as decimal_mark
+from .files.recording import read_recording as read_recording
+from .files.writing import write_recording as write_recording
+from .files.robot import read_robot as read_robot, robot_to_toml as robot_to_toml
+from .machine.backend import Backend as Backend, using as using
+from .machine.registry import Machine as Machine, load_mechanism as load_mechanism
+from .machine.values import Recording as Recording, Robot as Robot
+from .results.batch import Batch as Batch
+from .results.certificate import Certificate as Certificate
+from .results.comparison import Comparison as Comparison
+from .results.diagnosis import Diagnosis as Diagnosis, Verdict as Verdict
+from .results.plan import Plan as Plan
+from .results.reader import read_answer as read_answer, read_result as read_result
+from .results.result import Result as Result, Status as Status
+from .results.study import Study as Study
+from .results.validation import Validation as Validation
+from .use.compensation import Compensator as Compensator
+from .use.exports import export_c as export_c
+from .use.tables import export_table as export_table, read_table as read_table
+from .version import __version__ as __version__
