@@ -117,14 +117,17 @@ def generate(
     seed: Sequence[int],
     machine: str = "delta",
     by: Callable[..., Recording] = simulate,
+    shop: Shop | None = None,
 ) -> Case:
     """Return the case of a seed: `names` are effects, or one of `OUTSIDE`, or empty.
 
     `by` makes the readings, with the signature of `simulate`; amplitudes and clarity are judged on the project's own.
+    `shop` draws sessions and records them, by default as an orderly laboratory does.
     """
+    shop = shop or Shop()
     for attempt in range(ATTEMPTS):
         try:
-            case = _attempt(kind, tuple(names), np.random.default_rng([*seed, attempt]), machine, by)
+            case = _attempt(kind, tuple(names), np.random.default_rng([*seed, attempt]), machine, by, shop)
         except DeltacalError:
             continue  # a pose out of reach
         if case is not None:
@@ -353,22 +356,38 @@ class Concealed:
     limbs: tuple[int, ...] = ()
 
 
+class Shop:
+    """How sessions are taken: what is drawn, and what a recording makes of readings without noise."""
+
+    def session(
+        self, kind: str, names: tuple[str, ...], must: set[str], rng: np.random.Generator, machine: str
+    ) -> Session:
+        """Return a session; `must` are channels that it has to have."""
+        return Session.draw(kind, names, must, rng, machine)
+
+    def record(
+        self, exact: Recording, session: Session, rng: np.random.Generator, scale: float
+    ) -> tuple[Recording, tuple[str, ...]]:
+        """Return noisy readings and their traits; `scale` is what a unit of them is [mm], where it is no length."""
+        return _noisy(exact, session.sigma, session.turn, rng, scale)
+
+
 def _attempt(
-    kind: str, names: tuple[str, ...], rng: np.random.Generator, machine: str, by: Callable[..., Recording]
+    kind: str, names: tuple[str, ...], rng: np.random.Generator, machine: str, by: Callable[..., Recording], shop: Shop
 ) -> Case | None:
     """Return a case; None where what was drawn is not clear."""
     if kind == "outside":
         must = OUTSIDE[names[0]][1]
     else:
         must = {NEEDS[s] for name in names for s in load_effect(name).STATE if s in NEEDS}
-    session = Session.draw(kind, names, must, rng, machine)
+    session = shop.session(kind, names, must, rng, machine)
     robot, poses = session.robot, session.poses
     judge = Judge(robot, session.read(poses), session.errors, session.sigma, session.turn)
     held = (_foreign if kind == "outside" else _effects)(names, session, judge, rng)
     if held is None:
         return None
     exact = held.exact if by is simulate else held.make(poses, by=by)
-    noisy, traits = _noisy(exact, session.sigma, session.turn, rng, judge.instrument.scale)
+    noisy, traits = shop.record(exact, session, rng, judge.instrument.scale)
     return Case(
         kind,
         names,

@@ -203,8 +203,10 @@ def _ruled_out(case: Case, named: Mapping[str, Any]) -> list[Any]:
 Job = tuple[str, tuple[str, ...], tuple[int, ...], str]  # kind, names, seed, machine: see `concealed_cases.plan`
 
 
-def examine(job: Job, draw: Callable[..., Case] = generate) -> dict[str, Any]:
-    """Return how the diagnosis does on the case of a job."""
+def examine(
+    job: Job, draw: Callable[..., Case] = generate, also: Mapping[str, Callable[[Case, Any], Any]] | None = None
+) -> dict[str, Any]:
+    """Return how the diagnosis does on the case of a job; `also` are further figures of a case and its answer."""
     kind, names, seed, machine = job
     out: dict[str, Any] = {"kind": kind, "names": list(names), "seed": list(seed), "machine": machine, "wrong": []}
     try:
@@ -212,12 +214,13 @@ def examine(job: Job, draw: Callable[..., Case] = generate) -> dict[str, Any]:
     except RuntimeError as e:
         return out | {"skipped": str(e)}
     truth = [[t.effect, list(t.limbs), list(t.constants)] for t in case.terms]
-    out |= {"truth": truth, "excess": case.excess, "traits": case.traits}
+    out |= {"names": list(case.names), "truth": truth, "excess": case.excess, "traits": case.traits}
     begin, processor = time.perf_counter(), time.process_time()
     try:
         result = diagnose(case.robot, case.recording).answer()
         out |= {"seconds": time.perf_counter() - begin, "processor": time.process_time() - processor}
         error = prediction_error(case, predict(result, case.fresh))
+        out |= {name: measure(case, result) for name, measure in (also or {}).items()}
         try:
             ideal = oracle(case)
         except DeltacalError as e:
