@@ -17,7 +17,6 @@ import pytest
 
 from deltacal_gen import InputError, UsageError
 from deltacal_gen.app import commands, fleet
-from deltacal_gen.app.asked import place_of
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.app.moved import grown, moved
 from deltacal_gen.files.robot import robot_from_dict, robot_to_toml
@@ -27,11 +26,9 @@ from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.results.batch import (
     Batch,
     DiagnosedDrivesRow,
-    DiagnosedRow,
     FailedRow,
     IdentifiedDrivesRow,
     IdentifiedRow,
-    common,
 )
 from deltacal_gen.results.diagnosis import Diagnosis, EffectParameter, LawTerm
 from deltacal_gen.results.reader import read_answer
@@ -242,26 +239,13 @@ def test_where_there_is_nothing_to_do_no_folder_is_made(tmp_path: Path) -> None:
     assert not (tmp_path / "run").exists()
 
 
-def test_a_law_that_several_recordings_have_is_told_whatever_its_shape() -> None:
-    def row(k: int, expression: str) -> DiagnosedRow:
-        term = LawTerm(target="joint", limbs=(2,), expression=expression, coefficients=())
-        return DiagnosedRow(
-            recording=f"{k}.csv",
-            machine="m",
-            verdict="missing_physics",
-            effects="",
-            model="full",
-            before_mm=0.1,
-            after_mm=0.01,
-            noise_mm=0.01,
-            error=None,
-            law=place_of(term),
-        )
+def test_a_law_is_called_by_what_it_moves_and_reads_whatever_its_shape() -> None:
+    def called(expression: str) -> str:
+        return fleet.place_of_law(LawTerm(target="joint", limbs=(2,), expression=expression, coefficients=()))
 
-    shapes = ("c1*payload", "c1*(tanh(payload/c2) + c3)", "c1*payload*oil_C", "c1*Max(payload - c2, 0)")
-    failed = FailedRow(recording="4.csv", machine="m", error="unreadable")
-    (law,) = common([*map(row, range(4), shapes), failed])
-    assert (law.law, law.recordings) == ("joint(payload)", ("0.csv", "1.csv", "3.csv"))
+    for shape in ("c1*payload", "c1*(tanh(payload/c2) + c3)", "c1*Max(payload - c2, 0)"):
+        assert called(shape) == "joint(payload)"
+    assert called("c1*payload*oil_C") == "joint(oil_C, payload)"
 
 
 @pytest.fixture(scope="module")

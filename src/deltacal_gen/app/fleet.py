@@ -20,8 +20,6 @@ from functools import partial
 from pathlib import Path
 from typing import Any, cast
 
-from deltacal_gen.app import asked
-from deltacal_gen.app.asked import place_of as place_of_law
 from deltacal_gen.app.commands.calibration import diagnose, identify
 from deltacal_gen.app.commands.sources import import_klipper, import_points, import_rrf
 from deltacal_gen.app.commands.use import validate
@@ -36,6 +34,7 @@ from deltacal_gen.files.writing import csv_text, write_files
 from deltacal_gen.machine.places import place_of
 from deltacal_gen.motion import kinds
 from deltacal_gen.pages import report
+from deltacal_gen.physics.law import PREFIX, load_law
 from deltacal_gen.results.base import Answer, Json
 from deltacal_gen.results.batch import (
     Action,
@@ -50,11 +49,10 @@ from deltacal_gen.results.batch import (
     Row,
     ValidatedDrivesRow,
     ValidatedRow,
-    common,
     in_table,
     worst,
 )
-from deltacal_gen.results.diagnosis import Diagnosis, Geometry, Verdict
+from deltacal_gen.results.diagnosis import Diagnosis, Geometry, LawTerm, Verdict
 from deltacal_gen.results.motion import (
     MotionDiagnosis,
     MotionResult,
@@ -324,8 +322,7 @@ def conduct(
         rows.append(_row(cast("Action", action), job, outcome))
     changed = _changed(open_, keys, files, store, _last(directory))
     passed = passed_over(Path(folder), listed) or None
-    laws = common(rows, asked.in_all(_diagnosed(open_, rows, keys, store), where))
-    found = Batch(action=cast("Action", action), rows=tuple(rows), changed=changed, laws=laws, passed_over=passed)
+    found = Batch(action=cast("Action", action), rows=tuple(rows), changed=changed, passed_over=passed)
     lines = [row.to_dict() for row in rows]
     columns = list(dict.fromkeys(name for line in lines for name in line))
     table = {c: [in_table(getattr(row, c, None)) for row in rows] for c in columns}
@@ -337,21 +334,6 @@ def conduct(
         }
     )
     return found
-
-
-def _diagnosed(jobs: Sequence[Job], rows: Sequence[Row], keys: Mapping[str, str], store: Store) -> list[asked.Done]:
-    """Return the recordings at rest that were diagnosed."""
-    by_name = {row.recording: row for row in rows if isinstance(row, DiagnosedRow)}
-
-    def answer(key: str) -> Json | None:
-        kept = store.get(key)
-        return None if kept is None else kept.result
-
-    return [
-        asked.Done(by_name[job.label], job.contents, keys[job.label], partial(answer, keys[job.label]))
-        for job in jobs
-        if job.label in by_name
-    ]
 
 
 def _unpacked(
@@ -442,6 +424,12 @@ def _figures(found: Answer) -> Json:
         }
     assert isinstance(found, Validation)
     return {"after_mm": found.rms_mm, "worst_mm": found.worst_mm, "chi2_per_dof": found.chi2_per_dof}
+
+
+def place_of_law(term: LawTerm) -> str:
+    """Return what a term of a law moves and what it reads, whatever its shape: ``joint(oil_C, payload)``."""
+    states = sorted(load_law(f"{PREFIX}{term.target} = {term.expression}").STATE)
+    return f"{term.target}({', '.join(states)})"
 
 
 def _figures_of_drives(found: MotionDiagnosis | MotionResult | MotionValidation) -> Json:

@@ -168,7 +168,6 @@ def batch(found: Batch, links: Mapping[str, str] | None = None) -> str:
         ],
         links=links or {},
         passed_over=found.passed_over or (),
-        laws=[(words[0][:1].upper() + words[0][1:], words[1:]) for words in (law.told() for law in found.laws)],
         left_out=len(rows) - len(shown),
         unchanged=len(changed) - MOST_ROWS,
     )

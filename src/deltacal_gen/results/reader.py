@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, TypeVar, cast
 
 from deltacal_gen.errors import InputError
-from deltacal_gen.results.base import Answer, Json, Value, key_of, plain
+from deltacal_gen.results.base import Answer, Value, key_of, plain
 
 if TYPE_CHECKING:
     from pydantic_core import ErrorDetails
@@ -133,12 +133,6 @@ def read_answer(source: Given, schemas: tuple[str, ...] = (*ANSWERS,), kind: str
         raise refused.error(schema, schemas)
     moves = schema in IN_MOTION and data.get("kind") in KINDS_IN_MOTION
     return _checked(type_of(str(schema), in_motion=moves), text, refused)
-
-
-def read_part(kind: type[Part], found: Json) -> Part:
-    """Return a part of an answer from its JSON, which this package has written itself."""
-    part: Part = checker(cast("Any", kind)).validate_json(json.dumps(found))
-    return part
 
 
 def _text(file: Path) -> str:

@@ -193,11 +193,6 @@ def batch(
         screen.print(f"[bold]{escaped(change.to)}[/bold] after {escaped(change.from_)}: {escaped(change.text)}")
     if len(found.changed) > MOST_LINES:
         screen.print(f"{len(found.changed) - MOST_LINES} more comparisons are in {directory / 'index.html'}")
-    for law in found.laws:
-        first, *others = law.told()
-        screen.print(escaped(first))
-        for line in others:
-            screen.print(f"  {escaped(line)}")
     for names, why in alike([(r.recording, r.error) for r in rows if r.error is not None])[:MOST_LINES]:
         screen.print(f"failed: {escaped(names)}: {escaped(why)}")
     for names, what in alike([(r.recording, r.warnings) for r in rows if r.warnings])[:MOST_LINES]:
