@@ -221,7 +221,7 @@ def _jobs_of_kinds() -> Iterator[Job]:
 
 
 def _jobs_of_commands() -> Iterator[Job]:
-    """Yield what is used once: next, bands, places, certificates, studies, batches, cameras."""
+    """Yield what is used once: next, bands, places, certificates, studies, batches."""
     robot, recording, result = "{delta.robot.toml}", "{delta.recording.csv}", "{delta.result.json}"
     other, about = "{other.csv}", "{about.toml}"
     beside = ("delta.result.json", "other.csv", "other.toml")
@@ -254,8 +254,6 @@ def _jobs_of_commands() -> Iterator[Job]:
     )
     motive = ("import", "c3d", "{take.csv}", "{capture.joints.csv}", "--readings", "Tool", "-o", "{out}")
     yield Job(motive, ("take.csv", "take.csv", "capture.joints.csv"))
-    image = ("camera", "board", "{board.png}", "--corners", "4x3", "--square", "20", "-o", "{out.csv}")
-    yield Job(image, ("board.png",))
 
 
 def _open(folder: Path) -> None:
@@ -294,13 +292,6 @@ def _once(folder: Path) -> None:
     (folder / "shop").mkdir()
     for name in ("robot.toml", "recording.csv"):
         (folder / "shop" / name).write_bytes((folder / f"diamond.{name}").read_bytes())
-    try:
-        import cv2
-    except ImportError:
-        (folder / "board.png").write_bytes(b"")
-        return
-    squares = np.kron(np.indices((4, 5)).sum(axis=0) % 2, np.ones((40, 40))).astype(np.uint8) * 255
-    (folder / "board.png").write_bytes(cv2.imencode(".png", np.pad(squares, 40, constant_values=255))[1].tobytes())
 
 
 # ------------------------------------------------------------------------------------------------------------------ all

@@ -81,7 +81,6 @@ def _one_output(command: Callable[..., None]) -> Callable[..., None]:
 
 for _name, _command in _COMMANDS.items():
     app.command(_name)(_one_output(_command))
-app.add_typer(sources.camera_app, name="camera")
 
 
 def _version(asked: bool) -> None:

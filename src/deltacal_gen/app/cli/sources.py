@@ -1,4 +1,4 @@
-"""Where recordings come from, beside an instrument's own files: firmware, trackers, a camera in the hand."""
+"""Where recordings come from, beside an instrument's own files: firmware, trackers."""
 
 from __future__ import annotations
 
@@ -9,9 +9,6 @@ from typing import Annotated, Any
 import typer
 
 from deltacal_gen.app.cli.common import Decimal, Json, aside, escaped, print_json, screen
-
-camera_app = typer.Typer(help="Measure with a camera in the hand: boards to calibrate it, a ball to look at.")
-
 
 Sources = Annotated[
     list[Path],
@@ -98,71 +95,3 @@ def import_(
         aside.print(escaped(f"warning: {warning}"))
     written = [*(["robot.toml"] if found.robot is not None else []), *names]
     screen.print(f"{', '.join(written)} written to {output}")
-
-
-def _corners(text: str) -> tuple[int, int]:
-    numbers = text.lower().split("x")
-    if len(numbers) != 2 or not all(n.isdigit() and int(n) > 1 for n in numbers):
-        raise typer.BadParameter("two numbers of at least 2 were expected, e.g. 9x6", param_hint="--corners")
-    return int(numbers[0]), int(numbers[1])
-
-
-@camera_app.command("calibrate")
-def camera_calibrate(
-    images: Annotated[list[Path], typer.Argument(metavar="IMAGE...", help="images of a chessboard")],
-    corners: Annotated[str, typer.Option("--corners", help="inner corners of the board, e.g. 9x6")],
-    square: Annotated[float, typer.Option("--square", help="side of a square (mm)")],
-    ball: Annotated[float, typer.Option("--ball", help="radius of the ball that the camera will look at (mm)")],
-    output: Annotated[Path, typer.Option("-o", "--output", help="camera (TOML)")],
-) -> None:
-    """Calibrate a camera from images of a chessboard."""
-    from deltacal_gen.app.commands import check_output
-    from deltacal_gen.files import camera
-    from deltacal_gen.files.writing import write_files
-
-    check_output(output, *images, ending=(".toml",))
-    found = camera.calibrate([camera.read_image(i) for i in images], _corners(corners), square, ball, images)
-    write_files({output: camera.camera_text(found.camera)})
-    c = found.camera
-    screen.print(
-        f"{len(images)} images: focal lengths {c.fx_px:.2f}, {c.fy_px:.2f} px, principal point {c.cx_px:.2f}, "
-        f"{c.cy_px:.2f} px, k1 {c.k1:.4f}; corners off by {found.rms_px:.3f} px rms\nwritten to {output}"
-    )
-
-
-@camera_app.command("board")
-def camera_board(
-    output: Annotated[Path, typer.Option("-o", "--output", help="points, or recording (CSV)")],
-    size: Annotated[str, typer.Option("--corners", help="inner corners, squares (charuco) or circles, e.g. 9x6")],
-    pitch: Annotated[float, typer.Option("--square", help="side of a square, or distance of circles (mm)")],
-    images: Annotated[list[Path] | None, typer.Argument(metavar="[IMAGE...]", help="images of the board")] = None,
-    pattern: Annotated[str, typer.Option("--pattern", help="chessboard, charuco, circles or acircles")] = "chessboard",
-    table: Annotated[Path | None, typer.Option("--table", help="CSV with joints and a column 'image'")] = None,
-) -> None:
-    """Find the points of a printed board in images: with the joints a recording of the kind board image."""
-    from deltacal_gen.app.commands import check_output
-    from deltacal_gen.files import boards
-
-    if (table is None) == (not images):
-        raise typer.BadParameter("give images, or a table that names them", param_hint="IMAGE")
-    check_output(output, *(images or ()), *([table] if table else ()), ending=(".csv",))
-    count, blind = boards.record(images or (), boards.Board(pattern, *_corners(size), pitch), output, table)
-    for path in blind:
-        aside.print(escaped(f"the board cannot be seen in {path}: left out"))
-    screen.print(f"{count} points written to {output}")
-
-
-@camera_app.command("measure")
-def camera_measure(
-    camera_file: Annotated[Path, typer.Argument(metavar="CAMERA", help="camera (TOML)")],
-    table: Annotated[Path, typer.Argument(metavar="TABLE", help="CSV with the joints and a column 'image'")],
-    output: Annotated[Path, typer.Option("-o", "--output", help="recording (CSV)")],
-) -> None:
-    """Measure the ball in the images of a table: a recording of the kind sphere image."""
-    from deltacal_gen.app.commands import check_output
-    from deltacal_gen.files import camera
-
-    check_output(output, camera_file, table, ending=(".csv",))
-    balls = camera.record(table, camera.read_camera(camera_file), output)
-    blur = sorted(b.blur for b in balls)[len(balls) // 2]
-    screen.print(f"{len(balls)} images measured, blur {blur:.2f} px\nwritten to {output}")
