@@ -32,11 +32,10 @@ from deltacal_gen.results.batch import (
 )
 from deltacal_gen.results.diagnosis import Diagnosis, EffectParameter, LawTerm
 from deltacal_gen.results.reader import read_answer
-from tests.files.test_clocks import written as on_two_clocks
-from tests.machine.test_linear_delta import LINEAR, PRINTER, grid, plausible, recording
 from tests.support.commands import Run
 from tests.support.motion_recordings import usual, written
-from tests.use.test_printers import joints, printer_cfg
+from tests.support.printers import LINEAR, PRINTER, grid, joints, plausible, printer_cfg, recording
+from tests.support.two_clocks import written as on_two_clocks
 
 SIX = ("endstop_1", "endstop_2", "endstop_3", "radius", "angle_1", "angle_2")
 

@@ -27,10 +27,9 @@ from rich.table import Table
 
 from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.machine.registry import mechanism_names
+from tests.benchmarks.contenders import KERNEL, MISSING, NUMBA, NUMPY, OURS, TOOLS, Contender, Work
+from tests.benchmarks.works import WORKS, disagreement, works
 from tests.support.measured import write
-
-from .contenders import KERNEL, MISSING, NUMBA, NUMPY, OURS, TOOLS, Contender, Work
-from .works import WORKS, disagreement, works
 
 SCALE = {"ns": 1e9, "us": 1e6, "ms": 1e3, "s": 1.0}
 AT_MOST = {  # time of the kernel to that of scalar Numba by hand: what is asked for, on a machine with AVX-512

@@ -15,8 +15,7 @@ import numpy as np
 from deltacal_gen.files.robot import Robot, robot_from_dict
 from deltacal_gen.machine.registry import load_mechanism
 from deltacal_gen.machine.values import Measurement, Recording
-
-from . import by_hand
+from tests.benchmarks import by_hand
 
 Array = np.ndarray
 OURS, KERNEL, NUMPY, NUMBA = "ours", "kernel", "NumPy", "Numba"  # a user's call, what computes in it, by hand

@@ -10,7 +10,7 @@ import numpy as np
 
 from deltacal_gen.app import commands
 from deltacal_gen.app.demonstration import example
-from tests.files import test_bags, test_mocap
+from tests.support import bags, mocap
 
 TARGETS = {
     "delta": "x_mm,y_mm,z_mm\n0,0,-853\n99,0,-900\n",
@@ -280,14 +280,14 @@ def _once(folder: Path) -> None:
     (folder / "about.toml").write_text(
         '[laboratory]\nname = "L"\ncountry = "DE"\n[machine]\nserial = "7"\n[calibration]\nbegin = 2026-01-16\n'
     )
-    test_bags.mcap(folder, test_bags.way)
+    bags.mcap(folder, bags.way)
     (folder / "map.toml").write_text(
         '[joints]\nnames = ["wrist", "elbow", "shoulder"]\n'
         '[readings]\ntopic = "/tracker"\nfields = ["point.y", "point.x", "point.z"]\nunit = "mm"\n'
     )
-    test_mocap.c3d(folder)
-    test_mocap.motive(folder)
-    rows = [(f"{t:.3f}", *q) for t, q in zip(test_mocap.TIMES, test_mocap.stairs(test_mocap.TIMES), strict=True)]
+    mocap.c3d(folder)
+    mocap.motive(folder)
+    rows = [(f"{t:.3f}", *q) for t, q in zip(mocap.TIMES, mocap.stairs(mocap.TIMES), strict=True)]
     (folder / "capture.joints.csv").write_text(_table("time_s,q1_deg,q2_deg,q3_deg", rows))
     (folder / "shop").mkdir()
     for name in ("robot.toml", "recording.csv"):

@@ -18,8 +18,8 @@ import casadi
 import numpy as np
 from casadi import SX, cross, dot, horzcat, vertcat
 
-from . import by_hand
-from .by_hand import ARM, DONE, FRAMES, PLATFORM, ROD, E
+from tests.benchmarks import by_hand
+from tests.benchmarks.by_hand import ARM, DONE, FRAMES, PLATFORM, ROD, E
 
 CC = shutil.which("gcc") or shutil.which("cc")
 NAME = "CasADi C" if CC else "CasADi VM"

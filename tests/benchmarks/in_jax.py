@@ -15,8 +15,8 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from . import by_hand
-from .by_hand import ARM, BASE, DONE, FRAMES, PLATFORM, ROD, SPACING, E
+from tests.benchmarks import by_hand
+from tests.benchmarks.by_hand import ARM, BASE, DONE, FRAMES, PLATFORM, ROD, SPACING, E
 
 NAME = "JAX"
 U, V, W = FRAMES.transpose(2, 0, 1)  # u0, v0 and w0 of the limbs, (3, 3) each

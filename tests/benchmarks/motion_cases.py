@@ -132,7 +132,7 @@ def delta(rng: np.random.Generator) -> Made:
     robot = replace(machine("delta"), joint_sign=np.ones(3))
     bare = replace(robot, masses=None)
     if available() and rng.integers(BY_ENGINE) == 0:
-        from tests.kernels.test_dynamics_of_others import delta as linkage
+        from tests.support.linkages import delta as linkage
 
         at = np.array([0.0, 0.0, -850.0, 0.0, 0.0, 0.0])
         return robot, bare, lambda s: torque_of_linkage(linkage(robot), s, at), "mujoco"

@@ -23,10 +23,9 @@ from deltacal_gen.identification.accuracy import check_poses
 from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.pages import manual
 from deltacal_gen.physics.terms import blank
-
-from . import by_hand
-from .contenders import DELTA, POSES, ROBOT, SIGMA, errors, measured, positions, recorded, rings
-from .works import identified
+from tests.benchmarks import by_hand
+from tests.benchmarks.contenders import DELTA, POSES, ROBOT, SIGMA, errors, measured, positions, recorded, rings
+from tests.benchmarks.works import identified
 
 EFFECT = "joint_scale"  # one coefficient for each joint
 

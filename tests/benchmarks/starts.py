@@ -17,8 +17,7 @@ import numpy as np
 
 import deltacal_gen
 from deltacal_gen.files.robot import robot_to_toml
-
-from .contenders import (
+from tests.benchmarks.contenders import (
     DELTA,
     NUMBA,
     NUMPY,

@@ -25,10 +25,8 @@ from deltacal_gen.machine.backend import JOINTS, Backend, using, working
 from deltacal_gen.machine.registry import load_mechanism, mechanism_names, mechanism_of
 from deltacal_gen.machine.rotation import cayley_matrix, cayley_vector
 from deltacal_gen.use.compensation import Compensator
-from tests.support.drawn import example_of
-
-from . import by_hand, by_hand_chain, by_hand_numba
-from .contenders import (
+from tests.benchmarks import by_hand, by_hand_chain, by_hand_numba
+from tests.benchmarks.contenders import (
     DELTA,
     KERNEL,
     NUMBA,
@@ -54,7 +52,8 @@ from .contenders import (
     recorded,
     rings,
 )
-from .starts import start
+from tests.benchmarks.starts import start
+from tests.support.drawn import example_of
 
 # ------------------------------------------------------------------------------------------------------- kinematics
 

@@ -8,7 +8,7 @@ import os
 import re
 import subprocess
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
@@ -38,6 +38,7 @@ from derive.review.subjects import applies, example, subject, subjects
 from derive.review.written import exactly
 from derive.spec import ChainMechanism, LimbMechanism
 from derive.steps import Derivation
+from tests.support.expressions import numbers, value
 
 ROOT = Path(__file__).resolve().parents[2]
 MACHINES = [m.name for m in registry.mechanisms() if isinstance(m, LimbMechanism)]
@@ -58,15 +59,6 @@ def chain() -> ChainMechanism:
     found = registry.mechanism("serial")
     assert isinstance(found, ChainMechanism)
     return found
-
-
-def numbers(symbols: set[sp.Symbol]) -> dict[sp.Symbol, float]:
-    rng = np.random.default_rng(7)
-    return {s: float(rng.uniform(0.2, 0.5)) for s in sorted(symbols, key=str)}
-
-
-def value(e: sp.Expr, at: Mapping[sp.Symbol, float]) -> float:
-    return float(sp.N(exactly(e).xreplace({s: sp.Float(v) for s, v in at.items()})))
 
 
 # ---------------------------------------------------------------------------------------------- what is shown is so

@@ -12,7 +12,7 @@ from derive import registry
 from derive.review import account, checks, reports
 from derive.review.subjects import seen_by, subject
 from derive.review.written import OPAQUE, Entries
-from tests.derive.test_derivation import numbers, value
+from tests.support.expressions import numbers, value
 
 
 @pytest.mark.parametrize("name", registry.measurement_names())

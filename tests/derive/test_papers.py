@@ -13,7 +13,7 @@ from deltacal_gen.errors import InputError
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.pages import ledger
 from tests.claims import independent_mei as own
-from tests.pages.test_claims import ENTRY, write
+from tests.support.ledger import ENTRY, write
 
 sp = pytest.importorskip("sympy", reason="the derivation needs the dependency group 'derive'")
 

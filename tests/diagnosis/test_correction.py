@@ -27,8 +27,8 @@ from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.units import DEG
 from deltacal_gen.use.known import known_result
 from deltacal_gen.use.prediction import CORRECTED
-from tests.machine.test_linear_delta import PRINTER, grid, recording
 from tests.support.left_out import DELTA, FRAME, SIGMA, channels, diagnosis, machine, record
+from tests.support.printers import PRINTER, grid, recording
 from tests.support.prototype import plausible
 
 pytestmark = pytest.mark.usefixtures("compiled")

@@ -18,8 +18,8 @@ from deltacal_gen.files.writing import write_recording
 from deltacal_gen.pages import report
 from deltacal_gen.physics.terms import Beyond
 from deltacal_gen.results.reader import read_result
-from tests.physics.test_law_language import law
 from tests.support.commands import Run
+from tests.support.laws import law
 from tests.support.left_out import POSES, channels, effect, machine, record
 
 pytestmark = pytest.mark.usefixtures("compiled")

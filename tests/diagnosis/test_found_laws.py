@@ -26,7 +26,7 @@ from deltacal_gen.pages import report
 from deltacal_gen.pages.laws import mathml
 from deltacal_gen.results.diagnosis import Diagnosis
 from tests.benchmarks import laws
-from tests.physics.test_law_language import LIMB, law
+from tests.support.laws import LIMB, law
 from tests.support.left_out import SIGMA, channels, effect, machine, record
 
 pytestmark = pytest.mark.usefixtures("compiled")

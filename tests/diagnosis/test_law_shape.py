@@ -26,7 +26,7 @@ from deltacal_gen.files.robot import read_robot
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.physics import grammar
 from deltacal_gen.physics.terms import Term
-from tests.physics.test_law_language import LIMB, law
+from tests.support.laws import LIMB, law
 from tests.support.left_out import DELTA, SIGMA, channels, machine, record
 
 pytestmark = pytest.mark.usefixtures("compiled")

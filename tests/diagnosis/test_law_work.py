@@ -20,7 +20,8 @@ from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.physics import grammar
 from deltacal_gen.physics.body import Body
-from tests.diagnosis.test_concealed_effects import ARM, SIGMA, Case, chain, record
+from tests.support.concealed import SIGMA, Case, record
+from tests.support.every_effect import ARM, chain
 
 pytestmark = pytest.mark.usefixtures("compiled")
 

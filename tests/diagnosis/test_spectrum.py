@@ -33,7 +33,7 @@ from deltacal_gen.results.result import Result
 from deltacal_gen.results.shown import rounded
 from deltacal_gen.units import DEG
 from deltacal_gen.use.prediction import known_effects
-from tests.machine.test_serial import robot
+from tests.support.open_chains import robot
 
 pytestmark = pytest.mark.usefixtures("compiled")
 

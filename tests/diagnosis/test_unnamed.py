@@ -19,8 +19,8 @@ from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.physics.terms import Term, blank, load_effect
-from tests.machine.test_serial import robot
 from tests.support.left_out import FRAME
+from tests.support.open_chains import robot
 from tests.support.prototype import wanted
 
 pytestmark = pytest.mark.usefixtures("compiled")

@@ -22,7 +22,7 @@ from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.physics.terms import blank, load_effect
-from tests.machine.test_serial import robot
+from tests.support.open_chains import robot
 from tests.support.prototype import wanted
 
 TILT, TWIST = "joint_tilt_compliance", "joint_compliance"

@@ -13,9 +13,9 @@ import deltacal_gen as dc
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.robot import robot_to_toml
 from deltacal_gen.machine.dynamics import dynamics_of
-from tests.kernels.test_dynamics import bodies
 from tests.support.commands import Run
 from tests.support.motion_recordings import BODIED, DEG, LINKS, NOISE, STEP, named, robot, usual, waves
+from tests.support.moving_chains import bodies
 
 OFFSET, RATE = {"a": 0.7342, "b": -0.2215}, 2e-4
 Q, TAU = [f"q{i}_deg" for i in (1, 2, 3)], [f"tau{i}_Nm" for i in (1, 2, 3)]

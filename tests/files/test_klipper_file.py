@@ -15,8 +15,7 @@ from deltacal_gen.files.robot import Robot, robot_from_dict
 from deltacal_gen.files.rrf import import_rrf
 from deltacal_gen.machine.registry import load_mechanism
 from deltacal_gen.use.firmware import firmware_lines
-from tests.machine.test_linear_delta import PRINTER
-from tests.use.test_printers import Z_OFFSET, joints, printer_cfg, session
+from tests.support.printers import PRINTER, Z_OFFSET, joints, printer_cfg, session
 
 pytestmark = pytest.mark.usefixtures("compiled")
 

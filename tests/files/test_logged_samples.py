@@ -17,8 +17,8 @@ from deltacal_gen.identification.identification import identify
 from deltacal_gen.machine.values import Recording, Robot
 from deltacal_gen.physics.motion import motion_of
 from deltacal_gen.use import prediction, validation
-from tests.kinds.test_encoder import DELTA, EACH, RUNS, UNDRAWN, read
 from tests.support.commands import Run
+from tests.support.second_encoder import DELTA, EACH, RUNS, UNDRAWN, read
 
 Lines = list[list[str]]
 STEP = 0.05  # s between the samples of these recordings

@@ -1,4 +1,4 @@
-"""How large rooms may be, and that no way leads from one through others back to it.
+"""How large rooms may be, that no way leads from one through others back to it, and that no test needs another.
 
 No module above 600 lines, no function above 60, its docstring not counted. Imports inside functions, which save time at
 the start, and those for type checkers alone are ways like others. No line is above 120 characters, in Python, in
@@ -20,6 +20,7 @@ PARTS = ("src/deltacal_gen", "derive", "tests")
 MODULE, FUNCTION, LINE = 600, 60, 120
 WRITTEN = ("*.py", "*.jinja", "*.css", "*.js")
 PACKAGE = "src/deltacal_gen"
+APART = {"support", "benchmarks", "claims", "frozen", "proof"}  # folders of tests that hold more than tests
 SWITCHED_OFF = re.compile(r"#\s*(fmt|yapf|isort|ruff):\s*(off|skip|disable)\b")
 
 
@@ -104,6 +105,28 @@ def test_no_import_leads_back() -> None:
     ways = _ways(texts)
     assert sum(map(len, ways.values())) > 1000  # they were read
     assert _circle(ways) == [], "what both need belongs below them"
+
+
+def test_no_test_is_built_on_another() -> None:
+    """What tests share stands in ``tests/support``, so that a part of them can be read, run, and taken out alone."""
+    files = [*(ROOT / "tests").rglob("*.py")]
+    assert sum(map(_is_test, files)) > 100  # they were found
+    built = {str(path): _words(path) & {other.stem for other in files if _is_test(other)} for path in files}
+    assert {name: on for name, on in built.items() if on} == {}, "move what both need to tests/support"
+    stray = [path.name for path in files if not _is_test(path) and path.parent.name not in APART]
+    assert stray == [], "no test: it belongs in tests/support"
+
+
+def _is_test(path: Path) -> bool:
+    return path.stem.startswith("test_") or path.stem == "conftest"
+
+
+def _words(path: Path) -> set[str]:
+    """Return the names in what a module imports: of packages, of modules, of what is taken of them."""
+    nodes = [*ast.walk(ast.parse(path.read_text(encoding="utf-8")))]
+    named = [n.module or "" for n in nodes if isinstance(n, ast.ImportFrom)]
+    named += [alias.name for n in nodes if isinstance(n, ast.Import | ast.ImportFrom) for alias in n.names]
+    return {word for name in named for word in name.split(".")}
 
 
 def _by_name(path: Path) -> Iterator[str]:

@@ -11,9 +11,9 @@ from deltacal_gen.machine.dynamics import Dynamics, dynamics_of
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.rigid import Rigid
-from tests.kernels.test_dynamics import by_differences
 from tests.support import independent_delta
 from tests.support.machines_with_loops import NAMES, machine, states
+from tests.support.moving_chains import by_differences
 
 QUICK = ("delta", "planar_parallelogram")  # the others' kernels of rates compile for three seconds each
 STENCIL = {1: 4 / 5, 2: -1 / 5, 3: 4 / 105, 4: -1 / 280}  # central differences of eighth order, odd

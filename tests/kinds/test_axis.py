@@ -23,8 +23,8 @@ from deltacal_gen.machine.rotation import from_vector
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.use import iso230, prediction, validation
 from tests.support.commands import Run
+from tests.support.open_chains import AXIS
 
-AXIS = {"robot": {"name": "axis", "mechanism": "serial"}, "joint": [{"kind": "prismatic"}]}
 AXIS["joint"][0] |= dict.fromkeys(("a", "alpha", "d", "theta"), 0.0)  # type: ignore[attr-defined]
 WIDTH, NOISE = 0.012, 0.001  # mm
 

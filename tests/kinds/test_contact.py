@@ -20,8 +20,8 @@ from deltacal_gen.files.robot import robot_to_toml
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.physics.terms import blank
 from deltacal_gen.units import DEG
-from tests.machine.test_serial import by_hand, robot
 from tests.support.commands import Run
+from tests.support.open_chains import by_hand, robot
 
 TRUTH = {"a_2": 0.4, "theta_2": 0.08 * DEG, "d_4": -0.3, "theta_5": -0.1 * DEG, "tx": 0.5, "tz": -0.4}
 TOUCHES = 20

@@ -15,7 +15,7 @@ from deltacal_gen.files.robot import robot_to_toml
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.rotation import from_turns, from_vector, to_vector
 from deltacal_gen.machine.values import POSITION, ROTATION
-from tests.machine.test_serial import robot
+from tests.support.open_chains import robot
 
 POSE = '[measurement]\nkind = "pose"\n'
 

@@ -16,8 +16,7 @@ from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.files.robot import Robot, robot_from_dict
 from deltacal_gen.identification.identification import identify
 from deltacal_gen.instrument.kinds import readings
-from deltacal_gen.machine.registry import SOLVED, Array, load_mechanism
-from deltacal_gen.machine.values import Measurement, Recording
+from deltacal_gen.machine.registry import SOLVED, Array
 from deltacal_gen.pages import figures
 from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.channels import Channels
@@ -27,21 +26,11 @@ from deltacal_gen.physics.terms import blank, coefficients, load_effect
 from deltacal_gen.units import DEG
 from deltacal_gen.use.prediction import predict
 from tests.support.commands import Run
+from tests.support.printers import LINEAR, PRINTER, grid, plausible, recording
 from tests.support.prototype import displacement
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
-PRINTER = {
-    "robot": {"name": "printer", "mechanism": "linear_delta"},
-    "geometry": {
-        "radius": 130.0,
-        "arm_length": [270.0, 270.5, 269.5],
-        "tower_angle": [210.0, 330.5, 90.0],
-        "endstop": [300.0, 301.0, 299.0],
-    },
-    "transmission": {"pulley_circumference": 32.0},
-}
-LINEAR = load_mechanism("linear_delta")
 Z = np.array([0.0, 0.0, 1.0])
 
 
@@ -53,44 +42,6 @@ def printer() -> Robot:
 @pytest.fixture
 def rng() -> np.random.Generator:
     return np.random.default_rng(12)
-
-
-def grid(radius: float = 100.0, step: float = 20.0, z: float = 0.0) -> Array:
-    axis = np.arange(-radius, radius + 1e-6, step)
-    x, y = (a.ravel() for a in np.meshgrid(axis, axis))
-    inside = np.hypot(x, y) <= radius + 1e-6
-    return np.column_stack([x[inside], y[inside], np.full(inside.sum(), z)])
-
-
-def recording(robot: Robot, targets: Array, kind: str = "height", pairs: Array | None = None) -> Recording:
-    q, _, status = LINEAR.inverse(targets, robot.tool, LINEAR.rows(robot, np.zeros(len(LINEAR.parameters))))
-    assert (status == SOLVED).all()
-    n, columns = len(q), {"height": ("height_mm",), "position": ("x_mm", "y_mm", "z_mm")}[kind]
-    return Recording(
-        path=Path("made.csv"),
-        kind=kind,
-        measurement=Measurement(kind=kind, frame="robot"),
-        joint_unit="mm",
-        joints=q,
-        columns=columns,
-        measured=np.full((n, len(columns)), np.nan),
-        pose=np.arange(1, n + 1).astype(str),
-        line=np.arange(2, n + 2),
-        channels={},
-        setup=np.zeros(n, dtype=int),
-        setup_names=("1",),
-        pairs=pairs,
-        pair_measured=None if pairs is None else np.full(len(pairs), np.nan),
-        pair_line=None if pairs is None else np.arange(2, len(pairs) + 2),
-    )
-
-
-def plausible(rng: np.random.Generator, names: tuple[str, ...] | None = None) -> dict[str, float]:
-    return {
-        p.name: float(2 * p.typical * rng.standard_normal())
-        for p in LINEAR.parameters
-        if names is None or p.name in names
-    }
 
 
 def rod_gaps(robot: Robot, e: dict[str, float], q: Array, at: Array) -> Array:

@@ -14,8 +14,6 @@ import pytest
 from scipy import signal
 
 import deltacal_gen as dc
-from deltacal_gen.files.robot import read_robot
-from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.motion import fit as fits_of_joints
 from deltacal_gen.motion import identification, joint, regression, unexplained
 from deltacal_gen.motion.diagnosis import _for_all_that
@@ -25,9 +23,9 @@ from deltacal_gen.motion.lag import with_lag
 from deltacal_gen.motion.library import Rung
 from deltacal_gen.motion.rigid import Rigid
 from deltacal_gen.motion.session import Session
-from deltacal_gen.motion.trajectories import Motion, read, read_sidecar
+from deltacal_gen.motion.trajectories import Motion
 from tests.support import motion_recordings
-from tests.support.motion_recordings import usual, written
+from tests.support.motion_recordings import session_of, usual, written
 
 SAMPLES, FOLDS = 4000, 4
 
@@ -202,12 +200,6 @@ def test_a_joint_that_others_shake_stands() -> None:
 @pytest.fixture(scope="module")
 def session(tmp_path_factory: pytest.TempPathFactory) -> Session:
     return session_of(written(tmp_path_factory.mktemp("arm"), usual, runs=3))
-
-
-def session_of(recording: Path) -> Session:
-    machine, said = read_robot(recording.parent / "robot.toml"), read_sidecar(recording)
-    assert said is not None
-    return Session.of(machine, read(recording, mechanism_of(machine), said))
 
 
 def test_what_foretells_worse_than_nothing_is_said_to(session: Session) -> None:

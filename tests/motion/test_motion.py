@@ -23,7 +23,6 @@ from deltacal_gen.motion.rigid import Rigid, base_of
 from deltacal_gen.pages import motion, report
 from deltacal_gen.results import published
 from deltacal_gen.results.reader import read_answer
-from tests.kernels.test_dynamics import bodies
 from tests.support.commands import Run
 from tests.support.every_effect import ARM, LIFT
 from tests.support.machines_with_loops import NAMES, machine
@@ -40,6 +39,7 @@ from tests.support.motion_recordings import (
     usual,
     written,
 )
+from tests.support.moving_chains import bodies
 
 
 @pytest.fixture(scope="module")

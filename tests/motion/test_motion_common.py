@@ -10,8 +10,7 @@ from scipy.signal import lfilter
 
 from deltacal_gen.motion.common import asked_in_common
 from deltacal_gen.motion.fit import climbed
-from tests.motion.test_ladder import session_of
-from tests.support.motion_recordings import Friction, written
+from tests.support.motion_recordings import Friction, session_of, written
 
 HANGS = 0.9  # of a sample's noise is that of the one before it
 

@@ -16,6 +16,7 @@ import pytest
 from deltacal_gen.app import cli
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.pages import ledger
+from tests.support.ledger import ENTRY, write
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -25,16 +26,6 @@ CONTENTS = {
     "mei": (35, 9, (5, 7, 8, 9, 11, 12)),
     "savoure": (74, 2, (5, 6, 7)),
     "traslosheros": (28, 5, (9, 10, 12)),
-}
-
-ENTRY = {
-    "where": "eq. (3)",
-    "statement": "Two and two make five.",
-    "status": "contradicted",
-    "printed": "2 + 2 = 5",
-    "correct": "2 + 2 = 4",
-    "evidence": "Counted: 4.",
-    "test": "tests/pages/test_claims.py::test_every_claim_names_a_test",
 }
 
 
@@ -81,16 +72,6 @@ def test_what_is_contradicted_is_corrected(paper: str) -> None:
 
 
 # ------------------------------------------------------------------------------------------------- form and the command
-
-
-def write(folder: Path, *entries: dict[str, str], name: str = "euclid") -> Path:
-    """Write a paper's file; JSON strings are TOML strings."""
-    text = 'title = "Euclid, Elements"\n'
-    for entry in entries:
-        text += "\n[[claim]]\n" + "".join(f"{key} = {json.dumps(value)}\n" for key, value in entry.items())
-    path = folder / f"{name}.toml"
-    path.write_text(text)
-    return path
 
 
 @pytest.mark.parametrize(

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import copy
 import json
-import re
 from typing import Any
 
 import numpy as np
@@ -16,6 +15,7 @@ from deltacal_gen.pages import figures, report
 from deltacal_gen.pages.left import Left
 from deltacal_gen.physics.terms import effect_names, load_effect
 from deltacal_gen.results.reader import read_result
+from tests.support.html import assert_self_contained, words
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
@@ -37,20 +37,6 @@ def without_effects(found: dict[str, Any], verdict: str) -> dict[str, Any]:
     nothing: dict[str, Any] = {"effects": [], "physics": [], "verdict": verdict}
     nothing["location"] = {"channels": [], "limbs": [], "region": None, "text": "what is left depends on nothing"}
     return found | nothing
-
-
-def words(page: str) -> str:
-    """Return what a reader sees of a page."""
-    return " ".join(re.sub(r"<style>.*?</style>|<[^>]*>", " ", page, flags=re.S).split())
-
-
-def assert_self_contained(page: str) -> None:
-    assert page.startswith("<!doctype html>")
-    assert not re.search(r"<script|<link|<img|@import|\bsrc=|url\((?!#)", page)
-    assert not [a for a in re.findall(r'(?:href|xlink:href)="([^"]*)"', page) if not a.startswith("#")]
-    for colour in (figures.INK, figures.MUTED, figures.BEFORE, figures.AFTER):  # all of them follow the page's
-        assert colour not in page.split("</style>", 1)[1]
-    assert "prefers-color-scheme: dark" in page
 
 
 def test_the_page_says_what_was_found_and_what_to_do(found: dict[str, Any]) -> None:

@@ -22,18 +22,10 @@ from deltacal_gen.physics.law import load_law
 from deltacal_gen.physics.terms import Term, kept_term, term_of
 from deltacal_gen.use.known import _term_flaws
 from derive.language import vocabulary
+from tests.support.laws import law
 from tests.support.left_out import channels, machine, record
 
-LIMB = 2
 PATHS = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)}
-ENDS = (-1e9, 1e9)
-
-
-def law(text: str, value: float, *constants: float, limbs: tuple[int, ...] = (LIMB,)) -> Term:
-    """Return a law with one coefficient, found everywhere."""
-    found = load_law(f"law {text}")
-    own = limbs if found.PER_LIMB else ()
-    return Term(found.NAME, own, np.full((max(len(own), 1), 1), value), (*constants, *ENDS * len(found.STATE)))
 
 
 @pytest.mark.parametrize(

@@ -17,11 +17,10 @@ from deltacal_gen.files.robot import read_robot, robot_from_dict, robot_to_toml
 from deltacal_gen.machine.places import at, number_of, part_of, place_of
 from deltacal_gen.motion.diagnosis import _in_words
 from deltacal_gen.results.diagnosis import LawTerm
-from tests.kinds.test_axis import AXIS
-from tests.machine.test_serial import ARM
-from tests.machine.test_serial import robot as arm
 from tests.support.commands import Run
 from tests.support.left_out import machine
+from tests.support.open_chains import ARM, AXIS
+from tests.support.open_chains import robot as arm
 
 STAND = {"kind": "fixed", "d": 40.0}  # a link that counts as a table of the file, not as a joint
 

@@ -9,11 +9,16 @@ from typing import Any
 import numpy as np
 
 import deltacal_gen as dc
-from deltacal_gen.files.robot import robot_from_dict, robot_to_toml
+from deltacal_gen.files.robot import read_robot, robot_from_dict, robot_to_toml
 from deltacal_gen.machine.dynamics import dynamics_of
-from tests.kernels.test_dynamics import bodies
+from deltacal_gen.machine.registry import mechanism_of
+from deltacal_gen.motion.session import Session
+from deltacal_gen.motion.trajectories import read, read_sidecar
 from tests.support.every_effect import ARM
+from tests.support.moving_chains import bodies
 
+MOTION = '[measurement]\nkind = "torque"\n'
+PLANNED = MOTION + '[motion]\nderivatives = "recorded"\n'
 LINKS = ARM[:3]
 BODIED = [link | {"mass": 3.0, "com": [40.0, -20.0, 30.0], "inertia": [2e4, 3e4, 4e4, 1e3, 2e3, 3e3]} for link in LINKS]
 HEAD = {"robot": {"name": "arm", "mechanism": "serial"}}
@@ -103,3 +108,9 @@ def carried(folder: Path, truth: str) -> Path:
     path, made = planned(folder, truth), folder / "made.csv"
     dc.simulate(folder / "robot.toml", path, made, truth=folder / "truth.toml", noise=NOISE, seed=3)
     return made
+
+
+def session_of(recording: Path) -> Session:
+    machine, said = read_robot(recording.parent / "robot.toml"), read_sidecar(recording)
+    assert said is not None
+    return Session.of(machine, read(recording, mechanism_of(machine), said))

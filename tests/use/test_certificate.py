@@ -20,9 +20,9 @@ from deltacal_gen.pages.dcc import dcc
 from deltacal_gen.physics.factors import quantile
 from deltacal_gen.use import bands
 from deltacal_gen.use.prediction import predict
-from tests.pages.test_report import assert_self_contained, words
 from tests.support.commands import Run
 from tests.support.dcc_structure import DCC, SI, flaws
+from tests.support.html import assert_self_contained, words
 
 DELTA = example()
 ROBOT = DELTA / "robot.toml"

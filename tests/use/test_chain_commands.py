@@ -22,7 +22,7 @@ from deltacal_gen.physics.terms import blank
 from deltacal_gen.planning import optimal, planning
 from deltacal_gen.units import DEG
 from deltacal_gen.use.compensation import Compensator
-from tests.machine.test_serial import ARM, by_hand, robot
+from tests.support.open_chains import ARM, by_hand, robot
 from tests.support.planned import log_determinant
 from tests.support.prototype import calibrated
 

@@ -32,6 +32,7 @@ from deltacal_gen.use.compensation import Compensator
 from deltacal_gen.use.exports import NOT_A_NUMBER, export_c
 from deltacal_gen.use.spans import Spans, spans
 from deltacal_gen.use.tables import export_table, read_table
+from tests.support.compiled_c import At
 from tests.support.every_effect import ON_MACHINES, channels, constants, machine_with, machines, sized, targets
 from tests.support.prototype import plausible, scattered, wanted
 
@@ -278,15 +279,6 @@ SETS = [
     ("thermal_growth", "proximal_bending", "base_compliance", "backlash"),
     ("latency", "joint_latency", "inertial_deflection"),  # nothing of a machine at rest
 ]
-
-
-class At(ctypes.Structure):
-    _fields_ = (
-        ("temp_C", ctypes.c_double),
-        ("payload_kg", ctypes.c_double),
-        ("time_s", ctypes.c_double),
-        ("approach", ctypes.c_double * 3),
-    )
 
 
 def at_rest(n: int) -> dict[str, np.ndarray]:

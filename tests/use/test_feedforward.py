@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ctypes
 import dataclasses
-import shutil
 import subprocess
 from collections.abc import Callable
 from pathlib import Path
@@ -22,9 +21,11 @@ from deltacal_gen.machine.rotation import to_vector
 from deltacal_gen.motion.feedforward import FeedForward
 from deltacal_gen.results.motion import JointModel
 from deltacal_gen.use.servo_source import export_feedforward
+from tests.support.compiled_c import COMPILER, JUMPED, LIMITED, NOT_A_NUMBER, STRICT, needs_compiler
 from tests.support.every_effect import machines
 from tests.support.machines_with_loops import machine
 from tests.support.machines_with_loops import states as states_of
+from tests.support.motion_recordings import MOTION, PLANNED
 
 COULOMB, VISCOUS = 0.4, 0.004  # Nm, Nm s/deg
 TRUTH = f"""
@@ -35,8 +36,6 @@ coulomb = {COULOMB}
 name = "viscous_friction"
 viscous = {VISCOUS}
 """
-MOTION = '[measurement]\nkind = "torque"\n'
-PLANNED = MOTION + '[motion]\nderivatives = "recorded"\n'
 
 
 @pytest.fixture(scope="module")
@@ -226,10 +225,6 @@ def _result(folder: Path) -> Path:
 
 # ------------------------------------------------------------------------------------------------ on a controller
 
-COMPILER = shutil.which("gcc")
-needs_compiler = pytest.mark.skipif(COMPILER is None, reason="C is compiled by gcc, which is not installed")
-STRICT = ["-std=c99", "-pedantic", "-Wall", "-Wextra", "-Werror", "-O2", "-fPIC", "-shared"]
-JUMPED, LIMITED, NOT_A_NUMBER = 4, 5, 3
 THREE = ctypes.c_double * 3
 
 

@@ -17,10 +17,10 @@ from deltacal_gen.files.robot import kept_robot, robot_from_dict
 from deltacal_gen.machine.dynamics import dynamics_of
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.results.motion import JointModel, TorqueTerm
-from tests.kernels.test_dynamics import bodies
+from tests.support.compiled_c import COMPILER, JUMPED, LIMITED, NOT_A_NUMBER, STRICT, needs_compiler
 from tests.support.every_effect import ARM, LIFT
-from tests.support.motion_recordings import usual, written
-from tests.use.test_feedforward import COMPILER, JUMPED, LIMITED, NOT_A_NUMBER, PLANNED, STRICT, needs_compiler
+from tests.support.motion_recordings import PLANNED, usual, written
+from tests.support.moving_chains import bodies
 
 DEG = np.pi / 180
 REST = 2.0 * DEG  # rad/s

@@ -21,8 +21,8 @@ from deltacal_gen.files.robot import robot_from_dict, robot_to_dict
 from deltacal_gen.results.diagnosis import Diagnosis
 from deltacal_gen.use.experiments import Open, next_rows, open_questions, shared
 from tests.benchmarks.honesty_rounds import round_of
-from tests.physics.test_law_language import law
 from tests.support.commands import Run
+from tests.support.laws import law
 from tests.support.left_out import DELTA, channels, effect, machine, record
 from tests.support.prototype import PROTOTYPE
 

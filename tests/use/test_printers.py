@@ -27,14 +27,23 @@ from deltacal_gen.results.written import FirmwareLines
 from deltacal_gen.units import DEG
 from deltacal_gen.use.comparison import flattered
 from deltacal_gen.use.firmware import Printed, firmware_lines
-from tests.machine.test_linear_delta import LINEAR, PRINTER, grid, plausible, recording
 from tests.support.commands import Run
+from tests.support.printers import (
+    LINEAR,
+    PRINTER,
+    STEP,
+    Z_OFFSET,
+    grid,
+    joints,
+    plausible,
+    printer_cfg,
+    recording,
+    session,
+)
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
 Spoil = Callable[[Array, list[Any]], tuple[Array, list[Any]]]
-STEP = 40.0 / (200 * 16)
-Z_OFFSET = 1.5
 
 
 @pytest.fixture(scope="module")
@@ -45,50 +54,6 @@ def printer() -> Robot:
 @pytest.fixture
 def rng() -> np.random.Generator:
     return np.random.default_rng(5)
-
-
-def joints(robot: Robot, targets: Array, errors: dict[str, float] | None = None) -> Array:
-    return LINEAR.inverse(targets, robot.tool, LINEAR.rows(robot, LINEAR.vector(errors or {})))[0]
-
-
-def printer_cfg(robot: Robot, heights: Array, distances: list[tuple[float, Array, Array]], mesh: str = "") -> str:
-    """Return a configuration as Klipper saves it; positions in motor steps."""
-    g = robot.geometry
-    lines = ["[mcu]", "serial: /dev/tty", "", "[printer]", "kinematics: delta  # of course", "max_velocity: 300", ""]
-    for tower in "abc":
-        lines += [f"[stepper_{tower}]", "rotation_distance: 40", "microsteps: 16", ""]
-    lines += ["[probe]", "x_offset: 2.0", "", "#*# <---------------------- SAVE_CONFIG ---------------------->"]
-    saved = ["[printer]", f"delta_radius = {g['radius'][0]:.6f}", ""]
-    for i, tower in enumerate("abc"):
-        saved += [
-            f"[stepper_{tower}]",
-            f"angle = {g['tower_angle'][i] / DEG:.6f}",
-            f"arm_length = {g['arm_length'][i]:.6f}",
-            f"position_endstop = {g['endstop'][i]:.6f}",
-            "",
-        ]
-    saved += ["[probe]", f"z_offset = {Z_OFFSET:.3f}", "", "[delta_calibrate]"]
-
-    def steps(q: Array) -> str:
-        return ",".join(f"{v:.3f}" for v in q / STEP)
-
-    for k, q in enumerate(heights):
-        saved += [f"height{k} = {Z_OFFSET}", f"height{k}_pos = {steps(q)}"]
-    for k, (length, a, b) in enumerate(distances):
-        saved += [f"distance{k} = {length}", f"distance{k}_pos1 = {steps(a)}", f"distance{k}_pos2 = {steps(b)}"]
-    return "\n".join([*lines, *(f"#*# {line}" for line in [*saved, "", mesh] for line in line.split("\n"))]) + "\n"
-
-
-def object_points() -> list[tuple[Array, Array]]:
-    around = np.radians(np.arange(0, 360, 60))
-    out = 65.0 * np.column_stack([np.cos(around), np.sin(around), 0 * around]) + [0, 0, 1.0]
-    return [(np.array([0, 0, 1.0]), p) for p in out] + [(out[k], out[k - 1]) for k in range(6)]
-
-
-def session(robot: Robot) -> tuple[Array, list[tuple[float, Array, Array]]]:
-    heights = joints(robot, grid(80, 40, Z_OFFSET))
-    distances = [(round(float(np.linalg.norm(b - a)), 4), *joints(robot, np.array([a, b]))) for a, b in object_points()]
-    return heights, distances
 
 
 def test_a_klipper_session_comes_back_as_it_was(tmp_path: Path, printer: Robot) -> None:

@@ -18,12 +18,12 @@ import pytest
 
 from deltacal_gen.files.robot import robot_to_toml
 from deltacal_gen.files.writing import write_recording
+from tests.support.compiled_c import At
 from tests.support.copies import Checkout, printed, untried
 from tests.support.left_out import channels, machine
 from tests.support.motion_recordings import NOISE as TORQUE_NOISE
 from tests.support.motion_recordings import planned, trajectory
 from tests.support.prototype import scattered, wanted
-from tests.use.test_compensation_effects import At
 
 COMPILER = shutil.which("cc")
 LIMB, NOISE = 2, 0.005

@@ -15,7 +15,7 @@ from deltacal_gen.files.robot import read_robot, robot_to_dict, robot_to_toml
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.units import DEG
 from deltacal_gen.use.compensation import Compensator
-from tests.machine.test_serial import SCARA, robot
+from tests.support.open_chains import SCARA, robot
 from tests.support.prototype import calibrated
 
 FACTORS = np.array([DEG, DEG, 1.0, DEG])
