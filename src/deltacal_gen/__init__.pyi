@@ -13,13 +13,6 @@ from .app.commands import (
     feed_forward as feed_forward,
     firmware_lines as firmware_lines,
     identify as identify,
-    import_bag as import_bag,
-    import_c3d as import_c3d,
-    import_klipper as import_klipper,
-    import_marlin as import_marlin,
-    import_points as import_points,
-    import_rrf as import_rrf,
-    import_urdf as import_urdf,
     kernels as kernels,
     manual as manual,
     manual_examples as manual_examples,
@@ -43,6 +36,13 @@ from .errors import (
 from .estimation.arrays import PoseSet as PoseSet, estimate as estimate, nominal as nominal
 from .estimation.solvers import LeastSquares as LeastSquares, Prior as Prior, Ridge as Ridge, TSVD as TSVD
 from .files.dialect import decimal_mark as decimal_mark
+from .files.importers.bag import import_bag as import_bag
+from .files.importers.c3d import import_c3d as import_c3d
+from .files.importers.klipper import import_klipper as import_klipper
+from .files.importers.marlin import import_marlin as import_marlin
+from .files.importers.points import import_points as import_points
+from .files.importers.rrf import import_rrf as import_rrf
+from .files.importers.urdf import import_urdf as import_urdf
 from .files.recording import read_recording as read_recording
 from .files.writing import write_recording as write_recording
 from .files.robot import read_robot as read_robot, robot_to_toml as robot_to_toml

@@ -8,11 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from deltacal_gen import InputError
-from deltacal_gen.files.imports import import_klipper
-from deltacal_gen.files.marlin import import_marlin
+from deltacal_gen import InputError, import_klipper, import_marlin, import_rrf
 from deltacal_gen.files.robot import Robot, robot_from_dict
-from deltacal_gen.files.rrf import import_rrf
 from deltacal_gen.machine.registry import load_mechanism
 from deltacal_gen.use.firmware import firmware_lines
 from tests.support.printers import PRINTER, Z_OFFSET, joints, printer_cfg, session

@@ -55,7 +55,7 @@ OF_STATES = {
     "app/commands/clocks.py:instrument_columns": "columns of a file: those of joints begin so",
 }
 OF_KINDS = {
-    "files/imports.py:_recording": "reads the files of firmware that probes heights",
+    "files/printers.py:height_recording": "reads the files of firmware that probes heights",
     "files/samples.py:imported": "reads the files of motion capture, with rotations or without",
     "files/recording.py:_pairs_and_rows": "a column, which holds the labels of poses",
     "use/experiments.py:_asks": "a column, which holds the labels of poses",

@@ -13,12 +13,9 @@ import numpy as np
 import pytest
 
 import deltacal_gen as dc
-from deltacal_gen import InputError, NoSolutionError, UsageError
+from deltacal_gen import InputError, NoSolutionError, UsageError, import_klipper, import_marlin, import_rrf
 from deltacal_gen.app import commands
-from deltacal_gen.files.imports import import_klipper
-from deltacal_gen.files.marlin import import_marlin
 from deltacal_gen.files.robot import Robot, robot_from_dict, robot_to_toml
-from deltacal_gen.files.rrf import import_rrf
 from deltacal_gen.files.writing import write_recording
 from deltacal_gen.identification.identification import identify
 from deltacal_gen.machine.registry import Array

@@ -21,13 +21,13 @@ from pathlib import Path
 from typing import Any, cast
 
 from deltacal_gen.app.commands.calibration import diagnose, identify
-from deltacal_gen.app.commands.sources import import_klipper, import_points, import_rrf
 from deltacal_gen.app.commands.use import validate
 from deltacal_gen.app.moved import moved
 from deltacal_gen.app.tasks import RECORDING, ROBOT, Contents, laid_out
 from deltacal_gen.errors import DeltacalError, InputError, UsageError
 from deltacal_gen.execution import Outcome, Store, Task, Told, content_key, run
-from deltacal_gen.files.points import is_table_of_joints
+from deltacal_gen.files import importers
+from deltacal_gen.files.lists import is_table_of_joints
 from deltacal_gen.files.recording import is_recording
 from deltacal_gen.files.robot import robot_of
 from deltacal_gen.files.writing import csv_text, write_files
@@ -77,11 +77,6 @@ OWN = (".toml", ".distances.csv", ".instrument.csv")  # ends of the names of fil
 BESIDE = (".distances", ".instrument")  # ends of the names of tables that belong to a recording
 LAST = "last.json"  # which files each recording was and which task, the last time that all were done
 CONFIGS = ("config-override.g", "config.g")  # of RepRapFirmware: M500 writes the first, which then holds
-IMPORTS: Mapping[str, Callable[..., Any]] = {
-    "klipper": import_klipper,
-    "rrf": import_rrf,
-    "points": import_points,
-}
 LOOKED_AT = 1_000_000  # bytes of a text, to tell what it is
 
 
@@ -252,7 +247,7 @@ def unpack(kind: str, files: Contents) -> Json:
     """
     with laid_out(files) as folder:
         out = folder / "imported"
-        made = IMPORTS[kind](*(folder / name for name in files), output=out)
+        made = importers.importer(kind).read(*(folder / name for name in files), output=out)
         recordings = {}
         for name in made.recordings:
             ends = (".csv", *OWN)

@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from deltacal_gen.errors import InputError
-from deltacal_gen.files.imports import Imported
+from deltacal_gen.files.imported import Imported
 from deltacal_gen.files.robot import Robot, read_robot
 from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.machine.values import POSITION, ROTATION, Measurement, Recording

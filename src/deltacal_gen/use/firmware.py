@@ -16,8 +16,7 @@ import numpy as np
 
 from deltacal_gen.errors import NoSolutionError, UsageError
 from deltacal_gen.estimation.problem import Problem
-from deltacal_gen.files.imports import ANGLES, DECIMALS
-from deltacal_gen.files.klipper import TOWERS
+from deltacal_gen.files.printers import ANGLES, DECIMALS, TOWERS
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.files.writing import write_files
 from deltacal_gen.machine.registry import SOLVED, Array, Machine, load_mechanism, mechanism_of

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated
 
 import typer
 
@@ -20,15 +19,7 @@ Sources = Annotated[
 ]
 
 
-FILES = {
-    "klipper": "printer.cfg",
-    "rrf": "config.g and heightmap.csv",
-    "marlin": "what M503 and G33 or G29 printed",
-    "points": "the instrument's points and a table of joints; a robot.toml, if there is one",
-    "bag": "the bag; a robot.toml, if there is one",
-    "c3d": "the capture and a table of joints in time; a robot.toml, if there is one",
-    "urdf": "the URDF of an arm",
-}
+OPTIONS = {"mapping": "--map", "offset_s": "--offset"}  # of importers, where they are not called as their parameters
 
 
 def import_(
@@ -53,33 +44,24 @@ def import_(
 
     A URDF gives a robot file alone.
     """
-    from deltacal_gen.app import commands
+    from deltacal_gen.files.importers import importer
     from deltacal_gen.results.written import Imported
 
-    in_time = {"readings": readings, "moving": moving, "offset_s": offset}
-    importers: dict[str, tuple[Callable[..., Any], tuple[int, ...], dict[str, Any]]] = {
-        "klipper": (commands.import_klipper, (1,), {}),
-        "rrf": (commands.import_rrf, (2,), {}),
-        "marlin": (commands.import_marlin, (1,), {}),
-        "points": (commands.import_points, (2, 3), {}),
-        "bag": (commands.import_bag, (1, 2), {"joints": joints, "mapping": mapping, **in_time}),
-        "c3d": (commands.import_c3d, (2, 3), in_time),
-        "urdf": (commands.import_urdf, (1,), {"base": base, "tip": tip}),
-    }
-    if kind not in importers:
-        raise typer.BadParameter(f"there is no import '{kind}'; known: {', '.join(importers)}", param_hint="KIND")
-    read, counts, options = importers[kind]
-    if len(files) not in counts:
+    how = importer(kind)
+    if not how.needed <= len(files) <= len(how.files):
+        counts = " or ".join(str(n) for n in range(how.needed, len(how.files) + 1))
         raise typer.BadParameter(
-            f"{kind} takes {' or '.join(map(str, counts))} file{'s' if counts[-1] > 1 else ''}: {FILES[kind]}",
+            f"{kind} takes {counts} file{'s' if len(how.files) > 1 else ''}: {', '.join(how.files)}. It does this: "
+            f"{how.summary}",
             param_hint="FILE",
         )
-    given = {"--joints": joints, "--map": mapping, "--readings": readings, "--moving": moving, "--offset": offset}
-    keys = ("joints", "mapping", "readings", "moving", "offset_s", "base", "tip")
-    for (name, value), key in zip((given | {"--base": base, "--tip": tip}).items(), keys, strict=True):
-        if value and key not in options:
-            raise typer.BadParameter(f"it means nothing for {kind}; leave it out", param_hint=name)
-    found = read(*files, output=output, **options)
+    given = {"joints": joints, "readings": readings, "mapping": mapping, "moving": moving, "offset_s": offset}
+    options = {name: value for name, value in (given | {"base": base, "tip": tip}).items() if value}
+    for name in options:
+        if name not in how.options:
+            hint = OPTIONS.get(name, f"--{name}")
+            raise typer.BadParameter(f"it means nothing for {kind}; leave it out", param_hint=hint)
+    found = how.read(*files, output=output, **options)
     names = [f"{name}.csv" for name in found.recordings]
     if as_json:
         print_json(

@@ -11,15 +11,6 @@ from deltacal_gen.app.commands.experiments import next_poses, plan, simulate
 from deltacal_gen.app.commands.guide import demo, manual, manual_examples, manual_site
 from deltacal_gen.app.commands.many import batch, study
 from deltacal_gen.app.commands.model_side import claims, derivation, effects, kernels, models, reproduce, trial, warm
-from deltacal_gen.app.commands.sources import (
-    import_bag,
-    import_c3d,
-    import_klipper,
-    import_marlin,
-    import_points,
-    import_rrf,
-    import_urdf,
-)
 from deltacal_gen.app.commands.use import (
     certificate,
     compare,
@@ -45,13 +36,6 @@ __all__ = [
     "feed_forward",
     "firmware_lines",
     "identify",
-    "import_bag",
-    "import_c3d",
-    "import_klipper",
-    "import_marlin",
-    "import_points",
-    "import_rrf",
-    "import_urdf",
     "kernels",
     "manual",
     "manual_examples",

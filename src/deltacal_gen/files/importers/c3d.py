@@ -13,8 +13,8 @@ from pathlib import Path
 import numpy as np
 
 from deltacal_gen.errors import InputError, UsageError
-from deltacal_gen.files.imports import Imported, write_import
-from deltacal_gen.files.points import LENGTHS, joints_in_time
+from deltacal_gen.files.imported import Imported, write_import
+from deltacal_gen.files.lists import LENGTHS, joints_in_time
 from deltacal_gen.files.quaternions import rotation_vector
 from deltacal_gen.files.rows import number_of
 from deltacal_gen.files.samples import Samples, imported, join

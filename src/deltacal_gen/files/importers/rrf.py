@@ -8,7 +8,8 @@ from pathlib import Path
 import numpy as np
 
 from deltacal_gen.errors import InputError
-from deltacal_gen.files.imports import ANGLES, PULLEY, Imported, done, doubt_arms, map_recording, printer_robot
+from deltacal_gen.files.imported import Imported
+from deltacal_gen.files.printers import ANGLES, PULLEY, done, doubt_arms, map_recording, printer_robot
 from deltacal_gen.files.toml import read_text
 from deltacal_gen.machine.registry import Array
 

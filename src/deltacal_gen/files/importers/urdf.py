@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from deltacal_gen.errors import InputError, UsageError
-from deltacal_gen.files.imports import Imported, write_import
+from deltacal_gen.files.imported import Imported, write_import
 from deltacal_gen.files.robot import robot_from_dict
 from deltacal_gen.files.toml import toml_text
 from deltacal_gen.files.urdf_tree import MM, SLIDING, TURNING, Body, Joint, Tree

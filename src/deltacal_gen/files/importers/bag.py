@@ -17,7 +17,7 @@ import numpy as np
 from pydantic import Field
 
 from deltacal_gen.errors import DeltacalError, InputError, UsageError
-from deltacal_gen.files.imports import Imported, write_import
+from deltacal_gen.files.imported import Imported, write_import
 from deltacal_gen.files.quaternions import rotation_vector
 from deltacal_gen.files.robot import read_robot
 from deltacal_gen.files.samples import Samples, imported, join, joint_units

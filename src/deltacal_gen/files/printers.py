@@ -1,0 +1,102 @@
+"""What all firmwares of delta printers share: the machine that they describe, and the maps of its bed that they keep.
+
+A map holds heights, not joints: the carriages are computed back with the geometry that stands beside it, so it is worth
+as much as that geometry was in force.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from deltacal_gen.errors import InputError
+from deltacal_gen.files.imported import Imported, write_import
+from deltacal_gen.files.robot import Robot, robot_from_dict
+from deltacal_gen.machine.registry import SOLVED, Array, load_mechanism
+from deltacal_gen.machine.values import Measurement, Recording
+
+ANGLES = (210.0, 330.0, 90.0)  # of the towers, where the file does not say [deg]
+TOWERS = ("stepper_a", "stepper_b", "stepper_c")  # sections of a printer.cfg
+PULLEY = 40.0  # mm of belt per motor turn: 20 teeth of 2 mm, the usual one, where RepRapFirmware does not say
+DECIMALS = 6  # of mm and deg that are kept: a nanometre, a ten-thousandth of a motor's step
+SPREAD = 0.02  # by which the arms of one printer may differ
+
+
+def printer_robot(name: str, geometry: Mapping[str, Any], belt: float | None, path: Path) -> Robot:
+    """Return a linear delta of this geometry [mm, deg], `belt` in mm per motor turn; raise where there can be none."""
+    read = {key: np.round(value, DECIMALS).tolist() for key, value in geometry.items()}
+    tables: dict[str, Any] = {"robot": {"name": name, "mechanism": "linear_delta"}, "geometry": read}
+    if belt is not None:
+        tables["transmission"] = {"pulley_circumference": belt}
+    try:
+        return robot_from_dict(tables)
+    except InputError as error:
+        raise InputError(error.problem, error.remedy, file=path) from None
+
+
+def height_recording(path: Path, q: Array, height: Array, instrument: str, **pairs: Any) -> Recording:
+    """Return heights (n,) [mm] that were probed at joints (n, 3) [mm]."""
+    n = len(q)
+    return Recording(
+        path=path,
+        kind="height",
+        measurement=Measurement(kind="height", frame="robot", instrument=instrument),
+        joint_unit="mm",
+        joints=np.round(q, DECIMALS),
+        columns=("height_mm",),
+        measured=np.round(np.asarray(height, dtype=float), DECIMALS)[:, None],
+        pose=np.arange(1, n + 1).astype(str),
+        line=np.arange(2, n + 2),
+        channels={},
+        setup=np.zeros(n, dtype=int),
+        setup_names=("1",),
+        **pairs,
+    )
+
+
+def map_recording(robot: Robot, nozzle: Array, z: Array, trigger: float, path: Path) -> Recording:
+    """Return the recording of a map: the carriages stood where the geometry puts them for the probed height."""
+    mechanism = load_mechanism(robot.mechanism)
+    targets = np.column_stack([nozzle, z + trigger])
+    q, _, status = mechanism.inverse(targets, robot.tool, mechanism.rows(robot))
+    if (status != SOLVED).any():
+        x, y = nozzle[np.argmax(status != SOLVED)]
+        raise InputError(
+            f"the printer cannot stand at x = {x:.1f}, y = {y:.1f} mm of the map with the geometry beside it.",
+            "Give the geometry that was in force when the map was probed; check arm length and radius.",
+            file=path,
+        )
+    return height_recording(path, q, np.full(len(q), trigger), "bed probe, a mesh over the bed")
+
+
+def doubt_arms(arms: Sequence[float]) -> tuple[str, ...]:
+    """Return a warning where the lengths of the arms [mm] differ by more than rods do that are cut to one."""
+    spread = float(np.ptp(arms) / np.mean(arms))
+    if spread <= SPREAD:
+        return ()
+    listed = ", ".join(f"{a:.2f}" for a in arms)
+    return (
+        f"the arms are {listed} mm: rods cut to one length do not differ by {100 * spread:.0f} %. An earlier "
+        "calibration went wrong, most often by one distance in the wrong row. Measure the rods with callipers and put "
+        "that length into the file.",
+    )
+
+
+def done(
+    robot: Robot,
+    recordings: dict[str, Recording],
+    warnings: tuple[str, ...],
+    path: Path,
+    output: str | Path | None,
+) -> Imported:
+    """Return what was imported, written into a folder where there is one; raise where nothing was measured."""
+    if not recordings:
+        raise InputError(
+            "there are neither heights, distances nor a bed mesh in the file.",
+            "Run DELTA_CALIBRATE or BED_MESH_CALIBRATE and SAVE_CONFIG, and give the file again.",
+            file=path,
+        )
+    return write_import(Imported(robot, recordings, warnings), output)
