@@ -143,7 +143,7 @@ def test_a_joint_that_slides_is_counted_in_metres(tmp_path: Path) -> None:
     assert recording.joint_unit == "rad,rad,mm"
     assert recording.joints == pytest.approx(way(LOOKS) * [1, 1, 1000], abs=1e-2)
     (tmp_path / "robot.toml").write_text(f'[robot]\nname = "arm"\nmechanism = "serial"\n{each[: len(each) // 3]}')
-    with pytest.raises(InputError, match="3 joints were recorded, and the robot has 1"):
+    with pytest.raises(InputError, match="bag: the file has 3 joints, the robot 1"):
         dc.import_bag(tmp_path / "bag", tmp_path / "robot.toml")
 
 

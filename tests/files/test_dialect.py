@@ -114,6 +114,21 @@ def test_a_workbook_is_a_table(tmp_path: Path) -> None:
         read_recording(tmp_path / "recording.xlsx", DELTA)
 
 
+def test_all_sheets_of_a_workbook_are_tried_and_errors_name_the_one_that_is_read(tmp_path: Path) -> None:
+    openpyxl = pytest.importorskip("openpyxl")
+    book = openpyxl.Workbook()
+    book["Sheet"].append(["made by", "A. B."])
+    data = book.create_sheet("Data")
+    for row in (HEADER, *TABLE):
+        data.append(row)
+    book.save(tmp_path / "recording.xlsx")
+    assert read_recording(tmp_path / "recording.xlsx", DELTA).line.tolist() == [2, 3]
+    data["B3"] = "x"
+    book.save(tmp_path / "recording.xlsx")
+    with pytest.raises(InputError, match=r"line 3, column 'q1_deg': in the sheet 'Data': the cell holds 'x'"):
+        read_recording(tmp_path / "recording.xlsx", DELTA)
+
+
 AMBIGUOUS = "pose;q1_deg;q2_deg;q3_deg;x_mm;y_mm;z_mm\na;10;20;30;1,234;2;-800\nb;11;21;31;5;6;-801\n"
 
 

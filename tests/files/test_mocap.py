@@ -71,7 +71,10 @@ def test_another_clock_is_brought_to_that_of_the_joints(tmp_path: Path, joints: 
         ("Trajectories\n100\n", "ends in its header"),
         ("Trajectories\n0\n,,a,,\nFrame,Sub Frame,X,Y,Z\n,,mm,mm,mm\n1,0,1,2,3\n", "rate of the frames"),
         ("Trajectories\n100\n,,a,,\nFrame,Sub Frame,X,Y,Z\n,,ell,ell,ell\n1,0,1,2,3\n", "'ell' is no unit"),
-        ("Trajectories\n100\n,,a,,\nFrame,Sub Frame,X,Y,Z\n,,mm,mm,mm\n1,0,1,x,3\n", "line 6.*'x' is no number"),
+        (
+            "Trajectories\n100\n,,a,,\nFrame,Sub Frame,X,Y,Z\n,,mm,mm,mm\n1,0,1,x,3\n",
+            "line 6.*'column 4': .* 'x', a number",
+        ),
         ("Frame,Time (Seconds),X\n", "row with names is missing"),
     ],
 )

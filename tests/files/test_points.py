@@ -43,6 +43,23 @@ def test_lists_of_every_form_give_one_recording(tmp_path: Path, form: str) -> No
     assert "P9" in found.warnings[1]
 
 
+def test_a_list_may_be_a_sheet_of_a_workbook(tmp_path: Path) -> None:
+    openpyxl = pytest.importorskip("openpyxl")
+    book = openpyxl.Workbook()
+    for row in (
+        ["cell 7", "night shift"],
+        [],
+        ["Group", "Point Name", "X [m]", "Y [m]", "Z [m]"],
+        ["A", "P1", 1, 2, 3],
+    ):
+        book["Sheet"].append(row)
+    book.save(tmp_path / "points.xlsx")
+    (tmp_path / "joints.csv").write_text(JOINTS)
+    found = dc.import_points(tmp_path / "points.xlsx", tmp_path / "joints.csv").recordings["recording"]
+    assert found.measured.tolist() == [[1000, 2000, 3000]]
+    assert found.line.tolist() == [4]
+
+
 def test_rotations_that_a_list_holds_are_not_passed_over(tmp_path: Path) -> None:
     points = "point,X,Y,Z,Rx,Ry,Rz\nP1,1,2,3,10,20,30\nP2,2,3,4,11,21,31\nP9,5,3,4,12,22,32\n"
     (warning,) = dc.import_points(*files(tmp_path, points)).warnings
@@ -62,9 +79,13 @@ def test_groups_are_set_ups_and_a_point_that_comes_again_is_a_repeat(tmp_path: P
     [
         ("A,P1,1,2,3\n", JOINTS.replace(" [deg]", ""), "unit of a joint"),
         ("A,P5,1,2,3\n", JOINTS, "no point of the list"),
-        ("A P1 1 2 3\nA P2 2\n", JOINTS, "a line has 3 cells"),
-        ("group,point,X,Y,Z\nA,P1,1,x,3\n", JOINTS, "'x' is no number"),
-        ("group,point,X,Y\nA,P1,1,2\n", JOINTS, "no column with Z"),
+        ("A P1 1 2 3\nA P2 2\n", JOINTS, "points.txt, line 2: the row has 3 cells, the header 5"),
+        (
+            "group,point,X,Y,Z\nA,P1,1,x,3\n",
+            JOINTS,
+            "points.txt, line 2, column 'y_mm': the cell holds 'x'",
+        ),
+        ("group,point,X,Y\nA,P1,1,2\n", JOINTS, "points.txt, line 1, column 'z_mm': the column is missing"),
         ("A,P1,1,2,3\n", JOINTS + "P1,1,1,1,0\n", "comes twice"),
         ("A,P1,1,2,3\n", JOINTS.replace("J2", "J4"), "not numbered from 1"),
     ],

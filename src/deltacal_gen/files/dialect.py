@@ -9,7 +9,8 @@ from __future__ import annotations
 import contextlib
 import csv
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar, Token
 from dataclasses import dataclass
@@ -22,7 +23,6 @@ from deltacal_gen.files.toml import read_bytes
 from deltacal_gen.states import TIME
 
 LOOKED_AT = 200  # lines in which the header is searched for
-SEPARATORS = (",", ";", "\t", "|")
 _MOMENT = re.compile(r"(date_?)?time(_?stamp)?|date|stamp")  # names of columns that hold moments
 _DOTTED = re.compile(r"(?P<day>\d{1,2})\.(?P<month>\d{1,2})\.(?P<year>\d{4})[ T](?P<rest>.*)")  # the day is first
 _SLASHED = re.compile(r"\d{4}/\d\d/\d\d[ T]")  # the year is first; 1/2/2026 is the one here and the other there
@@ -51,6 +51,8 @@ _SPELLINGS = {  # units as people write them
     "in": ("inch", "inches", '"'),
     "um": ("µm", "μm", "micron"),
     "m": ("meter", "metre", "meters", "metres"),
+    "mm": ("millimeter", "millimetre", "millimeters", "millimetres"),
+    "cm": ("centimeter", "centimetre", "centimeters", "centimetres"),
     "s": ("sec",),
     "nm": ("n m", "n·m", "n*m", "n.m"),
     "a": ("ampere", "amperes", "amp", "amps"),
@@ -67,6 +69,9 @@ _WITH_COMMA = re.compile(r"[-+]?(?:\d*,\d+|\d+,)(?:[eE][-+]?\d+)?")
 _POINT = re.compile(r"[-+]?\d*\.\d+(?:[eE][-+]?\d+)?")
 _GROUPS = {mark: re.compile(rf"[-+]?\d{{1,3}}(?:{re.escape(mark)}\d{{3}})+") for mark in ",."}
 _SPACED = re.compile(r"[-+]?\d{1,3}(?:[ '\u00a0\u202f\u2019]\d{3})+(?:[.,]\d+)?")
+_NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
+Line = tuple[int, str]  # of a file: its number and its text
+Scales = dict[str, Sequence[float]]  # of columns in other units than those of files: factor, and what is added then
 _decimal: ContextVar[str | None] = ContextVar("decimal", default=None)
 
 
@@ -115,26 +120,77 @@ def encoding_of(path: Path) -> str:
 
 @dataclass(frozen=True)
 class Layout:
-    """Where a table's header stands among its lines, and how its cells are written.
+    """Where a table begins among its lines, and how its cells are written.
 
     Attributes
     ----------
     header : int
         Which of the lines it is, from 0.
     separator : str
+        "" where blanks alone separate columns.
     decimal : str
         "." or ",".
     units : bool
         Whether the row after the header holds units.
+    bare : bool
+        Whether there is no header: that line is the first row.
     """
 
     header: int
     separator: str
     decimal: str
-    units: bool
+    units: bool = False
+    bare: bool = False
 
 
-def layout_of(path: Path, lines: Sequence[tuple[int, str]]) -> Layout:
+@dataclass(frozen=True)
+class Vocabulary:
+    """What tables of one sort call their columns, and what may stand around these.
+
+    Attributes
+    ----------
+    name : callable
+        Returns the columns of a header by their names in files here, and factor and offset of those in other units. It
+        takes the header, the units that a row says, and the lines before the table.
+    separators : sequence of str
+        "" for blanks.
+    remarks : tuple of str
+        How lines begin that hold no cells.
+    bare : callable, optional
+        Returns the header that a table without one could have had; it takes the cells of its rows.
+    """
+
+    name: Callable[[Sequence[str], Sequence[str], str], tuple[list[str], Scales]]
+    separators: Sequence[str] = (",", ";", "\t", "|")
+    remarks: tuple[str, ...] = ("#",)
+    bare: Callable[[Sequence[Sequence[str]]], list[str]] | None = None
+
+    def knows(self, cells: Sequence[str]) -> bool:
+        """Tell whether cells are a header: more than one of them is the name of a column."""
+        return sum(map(is_known, self.name(cells, [""] * len(cells), "")[0])) > 1
+
+    def beginning(self, lines: Sequence[Line]) -> tuple[int, str, bool] | None:
+        """Return the line in which a table begins, its separator and whether it has no header; None where none does."""
+        for k, (_, text) in enumerate(lines[:LOOKED_AT]):
+            for separator in self.separators:
+                cells = split(text, separator)
+                if len(cells) > 1 and self.knows(cells):
+                    return k, separator, False
+                if self.bare and len(cells) > 3 and sum(map(_is_number, cells)) >= 3:
+                    return k, separator, True
+        return None
+
+
+def split(text: str, separator: str) -> list[str]:
+    """Return the cells of a line, as far as quotes do not matter."""
+    return [cell.strip().strip('"') for cell in text.split(separator or None)]
+
+
+def _is_number(cell: str) -> bool:
+    return (_WITH_COMMA.fullmatch(cell) or _NUMBER.fullmatch(cell)) is not None
+
+
+def layout_of(path: Path, lines: Sequence[Line], vocabulary: Vocabulary) -> Layout:
     """Return the layout of a table by its lines, numbered as in the file.
 
     Raises
@@ -142,52 +198,41 @@ def layout_of(path: Path, lines: Sequence[tuple[int, str]]) -> Layout:
     InputError
         What the commas between digits are is not certain.
     """
-    header, separator = _header(lines)
-    names, *cells = csv.reader((text for _, text in lines[header:]), delimiter=separator)
-    _check_separated(path, lines[header][0], names)
+    first = lines[0][1]
+    usual = max(vocabulary.separators, key=lambda s: first.count(s) if s else 0.5)
+    header, separator, bare = vocabulary.beginning(lines) or (0, usual, False)
+    rows = csv.reader((text for _, text in parted(lines[header:], separator)), delimiter=separator or "\t")
+    names, *cells = rows
+    if len(names) == 1 and vocabulary.knows(names[0].split()):
+        raise InputError(
+            "its columns are parted by blanks.",
+            "Part them by commas, semicolons or tabs.",
+            file=path,
+            line=lines[header][0],
+        )
     units = bool(cells) and len(cells[0]) == len(names) and _are_units(cells[0])
-    numbered = zip((number for number, _ in lines[header + 1 :]), cells, strict=False)
+    numbered = zip((number for number, _ in lines[header:]), [names, *cells] if bare else [[], *cells], strict=False)
     shown = ((number, cell.strip()) for number, row in numbered for cell in row)
     commas = separator != "," or any('"' in text for _, text in lines)  # where commas part cells, others are in quotes
     decimal = decimal_of(path, shown) if commas else _decimal.get() or "."
-    return Layout(header, separator, decimal, units)
+    return Layout(header, separator, decimal, units, bare)
 
 
-def _header(lines: Sequence[tuple[int, str]]) -> tuple[int, str]:
-    """Return which line is the header, and its separator: the first with columns that are known, or the first line."""
-    if (found := _named(lines)) is not None:
-        return found
-    first = lines[0][1]
-    return 0, max(SEPARATORS, key=lambda s: first.count(s))
+def parted(lines: Sequence[Line], separator: str) -> Sequence[Line]:
+    """Return lines whose cells are separated by a mark, a tab where it was blanks."""
+    return lines if separator else [(number, "\t".join(text.split())) for number, text in lines]
 
 
-def _named(lines: Sequence[tuple[int, str]]) -> tuple[int, str] | None:
-    """Return the first line with columns that are known, and their separator; None where there is none."""
-    for k, (_, text) in enumerate(lines[:LOOKED_AT]):
-        for separator in SEPARATORS:
-            cells = [c.strip().strip('"') for c in text.split(separator)]
-            if len(cells) > 1 and sum(is_known(converted(c)[0]) for c in cells) > 1:
-                return k, separator
-    return None
-
-
-def with_header(lines: list[tuple[int, str]], remarks: Sequence[tuple[int, str]]) -> list[tuple[int, str]]:
+def with_header(lines: list[Line], remarks: Sequence[Line], vocabulary: Vocabulary) -> list[Line]:
     """Return lines that hold cells with their header, which may be a remark before them, as `numpy.savetxt` writes it.
 
-    `remarks` are lines that begin with #, numbered likewise.
+    `remarks` are lines that hold no cells, numbered likewise.
     """
-    before = [(number, text.lstrip("# \t")) for number, text in remarks if number < lines[0][0]][::-1]
-    if _named(lines) is not None or (found := _named(before)) is None:
+    before = [(number, text.lstrip("#%/ \t")) for number, text in remarks if number < lines[0][0]][::-1]
+    found, there = vocabulary.beginning(before), vocabulary.beginning(lines)
+    if found is None or found[2] or not (there is None or there[2]):
         return lines
     return [before[found[0]], *lines]
-
-
-def _check_separated(path: Path, line: int, names: Sequence[str]) -> None:
-    """Raise an InputError where a header is parted by blanks alone."""
-    if len(names) == 1 and sum(is_known(converted(name)[0]) for name in names[0].split()) > 1:
-        raise InputError(
-            "its columns are parted by blanks.", "Part them by commas, semicolons or tabs.", file=path, line=line
-        )
 
 
 def is_known(name: str) -> bool:
@@ -206,6 +251,19 @@ def _are_units(cells: Sequence[str]) -> bool:
 def _unit(text: str) -> str:
     plain = text.strip().strip("[]()").strip().lower()
     return _SPELT.get(plain, plain)
+
+
+def length_unit(text: str) -> str | None:
+    """Return a unit of length by its short name, of whatever spelling; None where the text is none."""
+    unit = _unit(text)
+    return unit if unit in _MM else None
+
+
+def length_mm(text: str, file: Path) -> float:
+    """Return how many mm a unit of length has; raises InputError where it is none."""
+    if (unit := length_unit(text)) is None:
+        raise InputError(f"'{text}' is no unit of length.", f"Known: {', '.join(_MM)}.", file=file)
+    return _MM[unit]
 
 
 def converted(name: str, unit: str = "") -> tuple[str, float, float]:
@@ -230,6 +288,20 @@ def converted(name: str, unit: str = "") -> tuple[str, float, float]:
                 return f"{plain.removesuffix(f'_{other}')}_{own}", factor, _ABOVE.get(other, 0.0)
     bare = plain in LABELS or is_channel(plain) or DRIVE.fullmatch(plain)  # Run, Drive1
     return plain if bare else name, 1.0, 0.0
+
+
+def named(header: Sequence[str], units: Sequence[str], before: str = "") -> tuple[list[str], Scales]:
+    """Return columns by their names in files here, and the scales of those in other units.
+
+    The same quantity twice, in two units, is taken in that of files, and the other column stays what it is.
+    """
+    own = [converted(name, unit) for name, unit in zip(header, units, strict=True)]
+    times = Counter(name for name, *_ in own)
+    own = [one if times[one[0]] == 1 else (name, 1.0, 0.0) for name, one in zip(header, own, strict=True)]
+    return [name for name, *_ in own], {name: scale for name, *scale in own if scale != [1.0, 0.0]}
+
+
+RECORDED = Vocabulary(named)
 
 
 def decimal_of(path: Path, cells: Iterable[tuple[int, str]]) -> str:

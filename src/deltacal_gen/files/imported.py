@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
+
+import numpy as np
 
 from deltacal_gen.errors import InputError
-from deltacal_gen.files.robot import Robot, robot_to_toml
+from deltacal_gen.files.columns import ONE_SETUP
+from deltacal_gen.files.robot import Robot, read_robot, robot_to_toml
 from deltacal_gen.files.writing import write_files, write_recording
-from deltacal_gen.machine.values import Recording
+from deltacal_gen.machine.registry import Array, mechanism_of
+from deltacal_gen.machine.values import Measurement, Recording
 
 
 @dataclass(frozen=True)
@@ -36,3 +42,45 @@ def write_import(found: Imported, output: str | Path | None, robot: str | None =
         for name, recording in found.recordings.items():
             write_recording(recording, folder / f"{name}.csv")
     return found
+
+
+def recorded(
+    path: Path, kind: str, units: Sequence[str], joints: Array, columns: Sequence[str], measured: Array, **more: Any
+) -> Recording:
+    """Return rows of joints (N, n) and readings (N, k) as a recording of one set-up, with whatever fields beside.
+
+    `units` are those of the joints, rad or mm.
+    """
+    rows = len(joints)
+    own: dict[str, Any] = {
+        "measurement": Measurement(kind=kind, frame="unknown"),
+        "pose": np.arange(1, rows + 1).astype(str),
+        "line": np.arange(rows) + 2,
+        "channels": {},
+        "setup": np.zeros(rows, dtype=int),
+        "setup_names": ONE_SETUP,
+    }
+    return Recording(
+        path=path,
+        kind=kind,
+        joint_unit=units[0] if len(set(units)) == 1 else ",".join(units),
+        joints=joints,
+        columns=tuple(columns),
+        measured=measured,
+        **own | more,
+    )
+
+
+def robot_with(robot: str | Path | None, count: int, file: Path) -> tuple[Robot | None, tuple[str, ...]]:
+    """Return a robot, if one is given, and the units of its joints, rad or mm; raise where not `count` joints are."""
+    if robot is None:
+        return None, ()
+    machine = read_robot(robot)
+    mechanism = mechanism_of(machine)
+    if mechanism.limbs != count:
+        raise InputError(
+            f"the file has {count} joints, the robot {mechanism.limbs}.",
+            "Give the joints of the robot file, in its order; of a bag, [joints] names in the file of --map.",
+            file=file,
+        )
+    return machine, mechanism.joint_units

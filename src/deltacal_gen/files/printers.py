@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from deltacal_gen.errors import InputError
-from deltacal_gen.files.imported import Imported, write_import
+from deltacal_gen.files.imported import Imported, recorded, write_import
 from deltacal_gen.files.robot import Robot, robot_from_dict
 from deltacal_gen.machine.registry import SOLVED, Array, load_mechanism
 from deltacal_gen.machine.values import Measurement, Recording
@@ -39,22 +39,10 @@ def printer_robot(name: str, geometry: Mapping[str, Any], belt: float | None, pa
 
 def height_recording(path: Path, q: Array, height: Array, instrument: str, **pairs: Any) -> Recording:
     """Return heights (n,) [mm] that were probed at joints (n, 3) [mm]."""
-    n = len(q)
-    return Recording(
-        path=path,
-        kind="height",
-        measurement=Measurement(kind="height", frame="robot", instrument=instrument),
-        joint_unit="mm",
-        joints=np.round(q, DECIMALS),
-        columns=("height_mm",),
-        measured=np.round(np.asarray(height, dtype=float), DECIMALS)[:, None],
-        pose=np.arange(1, n + 1).astype(str),
-        line=np.arange(2, n + 2),
-        channels={},
-        setup=np.zeros(n, dtype=int),
-        setup_names=("1",),
-        **pairs,
-    )
+    measured = np.round(np.asarray(height, dtype=float), DECIMALS)[:, None]
+    measurement = Measurement(kind="height", frame="robot", instrument=instrument)
+    joints = np.round(q, DECIMALS)
+    return recorded(path, "height", ("mm",), joints, ("height_mm",), measured, measurement=measurement, **pairs)
 
 
 def map_recording(robot: Robot, nozzle: Array, z: Array, trigger: float, path: Path) -> Recording:

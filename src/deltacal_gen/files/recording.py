@@ -12,7 +12,7 @@ import dataclasses
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, TypedDict, Unpack
 
 import numpy as np
 
@@ -55,15 +55,16 @@ _JOINT_OF_END = re.compile(r"q\d+[ab]_(deg|mm|rad)")
 _END = re.compile(r"(?P<stem>.+?)_?(?P<end>[ab])(?P<unit>(_[A-Za-z]+\d?)*)")  # q1a_deg, payload_a_kg, approach1b
 
 
-def read_recording(
-    path: str | Path,
-    mechanism: Machine,
-    *,
-    need_measured: bool = True,
-    allow_targets: bool = False,
-    doubtful: bool = False,
-    like: InstrumentState | None = None,
-) -> Recording:
+class Asked(TypedDict, total=False):
+    """What a recording is read for; see `read_recording`."""
+
+    need_measured: bool
+    allow_targets: bool
+    doubtful: bool
+    like: InstrumentState | None
+
+
+def read_recording(path: str | Path, mechanism: Machine, **asked: Unpack[Asked]) -> Recording:
     """Read a recording with its sidecar and its distances file.
 
     Parameters
@@ -73,13 +74,13 @@ def read_recording(
     mechanism : Machine
         Says how many joints there are and whether they turn or slide.
     need_measured : bool
-        Whether a recording without a single reading is an error.
+        Whether a recording without a single reading is an error; it is by default.
     allow_targets : bool
         Whether positions without joints are taken as targets.
     doubtful : bool
         Whether channels are taken that hold values which cannot be, for `set_aside` to judge.
     like : InstrumentState, optional
-        The instrument whose readings are asked for, where neither sidecar nor columns say another.
+        The instrument whose readings are requested, where neither sidecar nor columns say another.
 
     Raises
     ------
@@ -87,14 +88,23 @@ def read_recording(
         The recording cannot be used; the message names file, line, column and remedy.
     """
     path = Path(path)
-    rows, sidecar = read_table(path), read_sidecar(path)
-    how: dict[str, Any] = {
-        "need_measured": need_measured,
-        "allow_targets": allow_targets,
-        "doubtful": doubtful,
-        "like": like,
-    }
-    return recording_of_rows(rows, sidecar, mechanism, **how)
+    return recording_of_rows(read_table(path), read_sidecar(path), mechanism, **asked)
+
+
+def recording_of(frame: object, mechanism: Machine, **asked: Unpack[Asked]) -> Recording:
+    """Return a data frame, or what makes one (``to_dataframe()``, ``to_pandas()``), as a recording.
+
+    Columns are those of a file, in any of its units. What a sidecar would say stands in ``attrs``:
+    ``frame.attrs["measurement"] = {"frame": "robot", "sigma_mm": 0.01}``.
+
+    Raises
+    ------
+    UsageError
+        It is no data frame.
+    InputError
+        As `read_recording`; lines count the rows from 1.
+    """
+    return recording_of_rows(*rows_of(frame), mechanism, **asked)
 
 
 def recording_of_rows(
@@ -108,55 +118,7 @@ def recording_of_rows(
     like: InstrumentState | None = None,
 ) -> Recording:
     """Return a table that has been read as a recording; see `read_recording`."""
-    recording = _recording(rows.path, rows, sidecar, mechanism, need_measured, allow_targets, doubtful, like)
-    if need_measured and not _is_measured(recording):
-        raise _no_reading(recording)
-    return recording
-
-
-def recording_of(
-    frame: object,
-    mechanism: Machine,
-    *,
-    need_measured: bool = True,
-    allow_targets: bool = False,
-    doubtful: bool = False,
-    like: InstrumentState | None = None,
-) -> Recording:
-    """Return a data frame, or what makes one (``to_dataframe()``, ``to_pandas()``), as a recording.
-
-    Columns are those of a file, in any of its units. What a sidecar would say stands in ``attrs``:
-    ``frame.attrs["measurement"] = {"frame": "robot", "sigma_mm": 0.01}``.
-
-    Raises
-    ------
-    UsageError
-        It is no data frame.
-    InputError
-        As `read_recording`; lines count the rows from 1.
-    """
-    rows, sidecar = rows_of(frame)
-    how: dict[str, Any] = {
-        "need_measured": need_measured,
-        "allow_targets": allow_targets,
-        "doubtful": doubtful,
-        "like": like,
-    }
-    return recording_of_rows(rows, sidecar, mechanism, **how)
-
-
-def _recording(
-    path: Path,
-    rows: Rows,
-    sidecar: Sidecar,
-    mechanism: Machine,
-    need_measured: bool,
-    allow_targets: bool,
-    doubtful: bool,
-    like: InstrumentState | None = None,
-) -> Recording:
-    """Return the rows of a file as a recording."""
-    measurement = measurement_of(sidecar)
+    path, measurement = rows.path, measurement_of(sidecar)
     pairs, rows = _pairs_and_rows(path, rows)
     rows, targets = with_vectors(rows, measurement.rotation, mechanism.axes), None
     axes = tuple(f"{axis}_mm" for axis in mechanism.axes)
@@ -202,7 +164,10 @@ def _recording(
         check_home(recording)
     label = rows.labels("run")
     run = [f"set-up '{setup_names[k]}'" for k in setup] if label is None else [f"run '{own}'" for own in label]
-    return put_right(_with_vectors(recording), run, read=need_measured)
+    recording = put_right(_with_vectors(recording), run, read=need_measured)
+    if need_measured and not _is_measured(recording):
+        raise InputError("no row holds a reading.", f"Fill in {', '.join(recording.columns)}.", file=path)
+    return recording
 
 
 def _with_vectors(recording: Recording) -> Recording:
@@ -414,10 +379,6 @@ def _is_measured(recording: Recording) -> bool:
     # the first column: a rotation without its point, which comes before it, is no reading
     own = recording.measured if kind_of(recording.kind).apart else recording.measured[:, :1]
     return paired or touched or bool(np.isfinite(own).any())
-
-
-def _no_reading(recording: Recording) -> InputError:
-    return InputError("no row holds a reading.", f"Fill in {', '.join(recording.columns)}.", file=recording.path)
 
 
 def _channel(rows: Rows, name: str, doubtful: bool) -> np.ndarray | None:

@@ -7,11 +7,9 @@ import csv
 import dataclasses
 import itertools
 import re
-from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TypeVar
 
 import numpy as np
 
@@ -20,11 +18,16 @@ from deltacal_gen.files.columns import RESERVED, is_channel
 from deltacal_gen.files.dialect import (
     LABELS,
     LOOKED_AT,
+    RECORDED,
     Layout,
-    converted,
+    Line,
+    Scales,
+    Vocabulary,
     encoding_of,
     in_seconds,
     layout_of,
+    named,
+    parted,
     plain_number,
     with_header,
 )
@@ -51,12 +54,15 @@ class Rows:
     columns: dict[str, list[str]]
     line: np.ndarray  # of each row
     header_line: int | None
-    scales: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    scales: Scales = field(default_factory=dict)
     """Factor, and what is added then, of columns in other units than their names say now."""
+    sheet: str = ""
+    """Of a workbook that has several."""
 
     def error(self, problem: str, remedy: str, *, row: int | None = None, column: str | None = None) -> InputError:
         """Return the error that names file, line (that of the header without a row) and column."""
         line = self.header_line if row is None else int(self.line[row])
+        problem = f"in the sheet '{self.sheet}': {problem}" if self.sheet else problem
         return InputError(problem, remedy, file=self.path, line=line, column=column)
 
     def without(self, names: Iterable[str]) -> Rows:
@@ -144,31 +150,36 @@ def number_of(cell: str) -> float | None:
         return None
 
 
-def read_table(path: Path) -> Rows:
-    """Read a table: Parquet or a workbook by its ending, otherwise CSV; raises InputError."""
+def read_table(path: Path, vocabulary: Vocabulary = RECORDED) -> Rows:
+    """Read a table: Parquet or a workbook by its ending, otherwise text; raises InputError."""
     if path.suffix.lower() == PARQUET:
-        return read_parquet(path)
-    return read_workbook(path) if path.suffix.lower() in WORKBOOKS else read_csv(path)
+        return _read_parquet(path)
+    if path.suffix.lower() in WORKBOOKS:
+        return _read_workbook(path, vocabulary)
+    return read_csv(path, vocabulary=vocabulary)
 
 
-def read_csv(path: Path, first: int | None = None) -> Rows:
-    """Read a CSV file, or its first rows, as many as `first`; raises InputError."""
+def read_csv(path: Path, first: int | None = None, vocabulary: Vocabulary = RECORDED) -> Rows:
+    """Read a table of text, or its first rows, as many as `first`; raises InputError."""
     encoding = encoding_of(path)
     _check_text(path)
     try:
         with path.open(encoding=encoding) as file:
-            remarks: list[tuple[int, str]] = []
-            lines = _lines((line.rstrip("\n") for line in file), remarks)
+            remarks: list[Line] = []
+            lines = _lines((line.rstrip("\n") for line in file), remarks, vocabulary)
             begun = list(itertools.islice(lines, None if first is None else LOOKED_AT))
             if not begun:
                 raise InputError("the file is empty.", "Give a header and one row per reading.", file=path)
-            begun = with_header(begun, remarks)
-            layout = _parsed(path, begun, lambda: layout_of(path, begun))
+            begun = with_header(begun, remarks, vocabulary)
+            with _csv_of(path, begun[0][0]):
+                layout = layout_of(path, begun, vocabulary)
             lines = itertools.chain(begun[layout.header :], lines)
             kept = list(itertools.islice(lines, None if first is None else 1 + layout.units + first))
             while first is not None and sum(line.count('"') for _, line in kept) % 2 and (more := next(lines, None)):
                 kept.append(more)  # a cell goes on in the next line
-            return _csv_rows(path, kept, layout)
+            table, numbers = _cells(path, parted(kept, layout.separator), layout)
+            before = "\n".join(text for _, text in begun[: layout.header])
+            return _of_cells(path, table, numbers, layout, vocabulary, before)
     except OSError as error:
         raise InputError(f"the file cannot be read: {error.strerror}.", "Check the path.", file=path) from None
     except UnicodeError:
@@ -184,48 +195,55 @@ def _check_text(path: Path) -> None:
             raise InputError(f"this is no text, but {what}.", remedy, file=path)
 
 
-def _lines(text: Iterable[str], remarks: list[tuple[int, str]]) -> Iterator[tuple[int, str]]:
+def _lines(text: Iterable[str], remarks: list[Line], vocabulary: Vocabulary) -> Iterator[Line]:
     """Yield the lines that hold cells, numbered as in the file; the first of the others go to `remarks`."""
     for n, line in enumerate(text, start=1):
-        if line.startswith("#"):
+        if line.startswith(vocabulary.remarks):
             if n <= LOOKED_AT:
                 remarks.append((n, line))
         elif line.strip():
             yield n, line
 
 
-_Parsed = TypeVar("_Parsed")
-
-
-def _parsed(path: Path, lines: Sequence[tuple[int, str]], parse: Callable[[], _Parsed]) -> _Parsed:
-    """Return what a parser makes of lines; raise an InputError where they are no CSV."""
+@contextlib.contextmanager
+def _csv_of(path: Path, line: int) -> Iterator[None]:
+    """Raise an InputError where lines are no CSV."""
     try:
-        return parse()
+        yield
     except csv.Error as error:
-        raise InputError(f"this is not CSV: {error}.", "Correct the quotes.", file=path, line=lines[0][0]) from None
+        raise InputError(f"this is not CSV: {error}.", "Correct the quotes.", file=path, line=line) from None
 
 
-def _csv_rows(path: Path, kept: list[tuple[int, str]], layout: Layout) -> Rows:
-    """Return lines as cells; the first hold the header and, where there is one, the row of units."""
-    reader = csv.reader((line for _, line in kept), delimiter=layout.separator, strict=True)
+def _cells(path: Path, kept: Sequence[Line], layout: Layout) -> tuple[list[list[str]], list[int]]:
+    """Return the cells of lines, row by row, and the line in which each row ends."""
+    reader = csv.reader((line for _, line in kept), delimiter=layout.separator or "\t", strict=True)
     table: list[list[str]] = []
     numbers: list[int] = []
-    try:
-        for cells in reader:
-            table.append([cell.strip() for cell in cells])
-            numbers.append(kept[reader.line_num - 1][0])
-    except csv.Error as error:
-        line = kept[min(reader.line_num, len(kept)) - 1][0]
-        raise InputError(f"this is not CSV: {error}.", "Correct the quotes.", file=path, line=line) from None
-    return _of_cells(path, table, numbers, layout)
+    while True:
+        with _csv_of(path, kept[min(reader.line_num, len(kept) - 1)][0]):
+            if (cells := next(reader, None)) is None:
+                return table, numbers
+        table.append([cell.strip() for cell in cells])
+        numbers.append(kept[reader.line_num - 1][0])
 
 
-def _of_cells(path: Path, table: list[list[str]], numbers: list[int], layout: Layout) -> Rows:
+def _of_cells(
+    path: Path,
+    table: list[list[str]],
+    numbers: list[int],
+    layout: Layout,
+    vocabulary: Vocabulary,
+    before: str = "",
+    sheet: str = "",
+) -> Rows:
     """Return cells (header, units where there are, rows) with their lines as columns in the units of files."""
-    table = _without_blank_ends(table)
+    table, header_line = _without_blank_ends(table), numbers[0]
+    if layout.bare and vocabulary.bare is not None:
+        table = [vocabulary.bare([[plain_number(cell, layout) for cell in row] for row in table]), *table]
+        numbers = [header_line, *numbers]
     header, units = table[0], table[1] if layout.units else [""] * len(table[0])
-    table, numbers, header_line = table[1 + layout.units :], numbers[1 + layout.units :], numbers[0]
-    header, scales = _named(header, units)
+    table, numbers = table[1 + layout.units :], numbers[1 + layout.units :]
+    header, scales = vocabulary.name(header, units, before)
     _check_header(path, header, header_line)
     for cells, line in zip(table, numbers, strict=True):
         if len(cells) != len(header):
@@ -244,19 +262,7 @@ def _of_cells(path: Path, table: list[list[str]], numbers: list[int], layout: La
             name: cells if name in LABELS else [plain_number(cell, layout) for cell in cells]
             for name, cells in columns.items()
         }
-    return Rows(path, in_seconds(columns), np.array(numbers), header_line, scales)
-
-
-def _named(header: Sequence[str], units: Sequence[str]) -> tuple[list[str], dict[str, tuple[float, float]]]:
-    """Return columns by their names in files here, and the scales of those in other units.
-
-    The same quantity twice, in two units, is taken in that of files, and the other column stays what it is.
-    """
-    named = [converted(name, unit) for name, unit in zip(header, units, strict=True)]
-    times = Counter(name for name, *_ in named)
-    named = [own if times[own[0]] == 1 else (name, 1.0, 0.0) for name, own in zip(header, named, strict=True)]
-    scales = {name: (factor, above) for name, factor, above in named if (factor, above) != (1.0, 0.0)}
-    return [name for name, *_ in named], scales
+    return Rows(path, in_seconds(columns), np.array(numbers), header_line, scales, sheet)
 
 
 def typed_rows(path: Path, header: Sequence[str], cells: Sequence[list[str]], line: np.ndarray) -> Rows:
@@ -268,7 +274,7 @@ def typed_rows(path: Path, header: Sequence[str], cells: Sequence[list[str]], li
         A column has no name, or two have one.
     """
     _check_header(path, header, None)
-    names, scales = _named(header, [""] * len(header))
+    names, scales = named(header, [""] * len(header))
     return Rows(path, in_seconds(dict(zip(names, cells, strict=True))), line, None, scales)
 
 
@@ -280,8 +286,8 @@ def _without_blank_ends(table: list[list[str]]) -> list[list[str]]:
     return table
 
 
-def read_workbook(path: Path) -> Rows:
-    """Read the first sheet of a workbook (``.xlsx``) that holds a table; raises InputError."""
+def _read_workbook(path: Path, vocabulary: Vocabulary) -> Rows:
+    """Read a workbook (``.xlsx``): the first sheet with columns that are known, or the first that is not empty."""
     try:
         import openpyxl
     except ImportError:
@@ -292,7 +298,9 @@ def read_workbook(path: Path) -> Rows:
         ) from None
     try:
         book = openpyxl.load_workbook(path, read_only=True, data_only=True)
-        sheets = [[["" if v is None else str(v).strip() for v in row] for row in s.values] for s in book.worksheets]
+        sheets = {
+            s.title: [["" if v is None else str(v).strip() for v in r] for r in s.values] for s in book.worksheets
+        }
         book.close()
     except OSError as error:
         raise InputError(f"the file cannot be read: {error.strerror or error}.", "Check the path.", file=path) from None
@@ -300,16 +308,25 @@ def read_workbook(path: Path) -> Rows:
         raise InputError(
             f"this is no workbook: {type(error).__name__}.", "Save it again as .xlsx.", file=path
         ) from None
-    for sheet in sheets:
-        kept = [(n, _trimmed(row)) for n, row in enumerate(sheet, start=1) if any(row) and not row[0].startswith("#")]
-        if not kept:
-            continue
-        lines = [(n, "\t".join(cell.replace("\t", " ") for cell in row)) for n, row in kept]
-        layout = dataclasses.replace(layout_of(path, lines), separator="\t")
-        width = len(kept[layout.header][1])
-        rows = [row + [""] * (width - len(row)) for _, row in kept[layout.header :]]
-        return _of_cells(path, rows, [n for n, _ in kept[layout.header :]], layout)
-    raise InputError("no sheet holds a table.", "Give a header and one row per reading.", file=path)
+    found: dict[str, tuple[list[list[str]], list[Line]]] = {}
+    for title, sheet in sheets.items():
+        kept = {n: _trimmed(row) for n, row in enumerate(sheet, start=1) if any(row) and not row[0].startswith("#")}
+        lines = [(n, "\t".join(cell.replace("\t", " ") for cell in row)) for n, row in kept.items()]
+        if kept:
+            found[title] = [*kept.values()], lines
+    if not found:
+        raise InputError("no sheet holds a table.", "Give a header and one row per reading.", file=path)
+    title = next((own for own, (_, lines) in found.items() if vocabulary.beginning(lines)), next(iter(found)))
+    kept_rows, lines = found[title]
+    layout = dataclasses.replace(layout_of(path, lines, vocabulary), separator="\t")
+    width = len(kept_rows[layout.header])
+    rows = [row + [""] * (width - len(row)) for row in kept_rows[layout.header :]]
+    numbers = [n for n, _ in lines[layout.header :]]
+    return _of_cells(path, rows, numbers, layout, vocabulary, sheet=title if len(sheets) > 1 else "")
+
+
+def _text_of(value: object) -> str:
+    return "" if value is None else str(value).strip()
 
 
 def _trimmed(row: list[str]) -> list[str]:
@@ -319,7 +336,7 @@ def _trimmed(row: list[str]) -> list[str]:
     return row
 
 
-def read_parquet(path: Path) -> Rows:
+def _read_parquet(path: Path) -> Rows:
     """Read a Parquet file; raises InputError."""
     try:
         import pyarrow as pa
@@ -333,7 +350,7 @@ def read_parquet(path: Path) -> Rows:
     try:
         with pq.ParquetFile(path) as file:
             table = file.read()
-        cells = [["" if c is None else str(c).strip() for c in column.to_pylist()] for column in table.columns]
+        cells = [list(map(_text_of, column.to_pylist())) for column in table.columns]
     except (OSError, ValueError, pa.ArrowException) as error:
         reason = str(error).splitlines()[0] if str(error) else type(error).__name__
         raise InputError(f"this is not a readable Parquet file: {reason}.", "Save it again.", file=path) from None

@@ -13,10 +13,9 @@ from pathlib import Path
 import numpy as np
 
 from deltacal_gen.errors import InputError
-from deltacal_gen.files.imported import Imported
-from deltacal_gen.files.robot import Robot, read_robot
-from deltacal_gen.machine.registry import Array, mechanism_of
-from deltacal_gen.machine.values import POSITION, ROTATION, Measurement, Recording
+from deltacal_gen.files.imported import Imported, recorded, robot_with
+from deltacal_gen.machine.registry import Array
+from deltacal_gen.machine.values import POSITION, ROTATION
 from deltacal_gen.states import TIME
 
 GAP = 3.0  # periods: joints that far apart say nothing of what is between
@@ -145,35 +144,9 @@ def imported(
     InputError
         The robot has other joints.
     """
-    machine = None if robot is None else read_robot(robot)
-    units = joint_units(machine, joined.joints.shape[1], path) if machine is not None else units
+    machine, own = robot_with(robot, joined.joints.shape[1], path)
     posed = joined.readings.shape[1] == len(POSITION + ROTATION)
     kind, columns = ("pose", POSITION + ROTATION) if posed else ("position", POSITION)
-    rows = len(joined.time)
-    recording = Recording(
-        path=path,
-        kind=kind,
-        measurement=Measurement(kind=kind, frame="unknown"),
-        joint_unit=units[0] if len(set(units)) == 1 else ",".join(units),
-        joints=joined.joints,
-        columns=columns,
-        measured=joined.readings,
-        pose=np.arange(1, rows + 1).astype(str),
-        line=np.arange(rows) + 2,
-        channels={TIME: joined.time - joined.time[0]},
-        setup=np.zeros(rows, dtype=int),
-        setup_names=("1",),
-    )
+    channels = {TIME: joined.time - joined.time[0]}
+    recording = recorded(path, kind, own or units, joined.joints, columns, joined.readings, channels=channels)
     return Imported(machine, {"recording": recording}, (*told, *joined.told))
-
-
-def joint_units(machine: Robot, count: int, path: Path) -> tuple[str, ...]:
-    """Return the units of a robot's joints, rad or mm; raises InputError where a recording has others."""
-    mechanism = mechanism_of(machine)
-    if mechanism.limbs != count:
-        raise InputError(
-            f"{count} joints were recorded, and the robot has {mechanism.limbs}.",
-            "Name those of the robot file, in its order: [joints] names in the file of --map.",
-            file=path,
-        )
-    return mechanism.joint_units

@@ -17,10 +17,9 @@ import numpy as np
 from pydantic import Field
 
 from deltacal_gen.errors import DeltacalError, InputError, UsageError
-from deltacal_gen.files.imported import Imported, write_import
+from deltacal_gen.files.imported import Imported, robot_with, write_import
 from deltacal_gen.files.quaternions import rotation_vector
-from deltacal_gen.files.robot import read_robot
-from deltacal_gen.files.samples import Samples, imported, join, joint_units
+from deltacal_gen.files.samples import Samples, imported, join
 from deltacal_gen.files.toml import Table, TomlFile
 from deltacal_gen.machine.registry import Array
 
@@ -115,9 +114,8 @@ def import_bag(
                 file=path,
             ) from None
         logged[topic].append((received if stamp is None else stamp, stamp is None, values))
-    machine = None if robot is None else read_robot(robot)
     count = len(logged[of_joints][0][2]) if logged[of_joints] else 0
-    units = joint_units(machine, count, path) if machine is not None else _usual(said.joints.unit, count)
+    units = robot_with(robot, count, path)[1] or _usual(said.joints.unit, count)
     q, y = (_samples(name, rows, path) for name, rows in logged.items())
     scaled = Samples(q.name, q.time, q.values * _joint_scales(said.joints.unit, units))
     body = _scaled(y.values, said.readings) if said.readings.fields else y.values

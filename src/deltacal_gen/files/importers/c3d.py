@@ -13,13 +13,13 @@ from pathlib import Path
 import numpy as np
 
 from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.files.dialect import length_mm
 from deltacal_gen.files.imported import Imported, write_import
-from deltacal_gen.files.lists import LENGTHS, joints_in_time
+from deltacal_gen.files.lists import joints_in_time
 from deltacal_gen.files.quaternions import rotation_vector
-from deltacal_gen.files.rows import number_of
+from deltacal_gen.files.rows import Rows, number_of
 from deltacal_gen.files.samples import Samples, imported, join
 from deltacal_gen.files.toml import read_text
-from deltacal_gen.machine.registry import Array
 
 Captured = Mapping[str, Samples]  # by the name of a marker or a body
 FEW = 8  # names that a message lists
@@ -58,11 +58,11 @@ def import_c3d(
     path = Path(path)
     captured = _c3d(path) if path.suffix.lower() == ".c3d" else _table(path)
     name = _chosen(path, captured, readings)
-    time, q, unit = joints_in_time(Path(joints))
+    time, q, units = joints_in_time(Path(joints))
     seen = captured[name]
     seen = Samples(seen.name, seen.time + offset_s, seen.values)
     joined = join(Samples(str(joints), time, q), seen, moving=moving, path=path)
-    return write_import(imported(joined, (unit,) * q.shape[1], robot, path, (f"readings of {name}",)), output)
+    return write_import(imported(joined, units, robot, path, (f"readings of {name}",)), output)
 
 
 def _chosen(path: Path, captured: Captured, asked: str | None) -> str:
@@ -87,12 +87,12 @@ def _c3d(path: Path) -> Captured:
         found = ezc3d.c3d(str(path))
         told, points = found["parameters"]["POINT"], found["data"]["points"]
         labels, rate = told["LABELS"]["value"], float(told["RATE"]["value"][0])
-        unit = (told["UNITS"]["value"] or ["mm"])[0].strip().lower()
+        unit = (told["UNITS"]["value"] or ["mm"])[0].strip()
     except Exception as error:  # of a library that lets through whatever is wrong inside a file
         raise InputError(f"this is no C3D file: {error}.", "Export it again.", file=path) from None
     first = int(found["header"]["points"]["first_frame"])
     time = (first + np.arange(points.shape[2])) / _positive(rate, path)
-    scale = _scale(unit, path)
+    scale = length_mm(unit, path)
     return {label: Samples(label, time, points[:3, k].T * scale) for k, label in enumerate(labels[: points.shape[1]])}
 
 
@@ -113,28 +113,28 @@ def _table(path: Path) -> Captured:
 def _motive(path: Path, rows: Sequence[Sequence[str]], head: int) -> Captured:
     """Return what Motive's CSV holds: a header of pairs, then rows Type, Name, ID, what is measured, axes."""
     meta = dict(zip(rows[0][::2], rows[0][1::2], strict=False))
-    scale = _scale(meta.get("Length Units", "Meters").strip().lower(), path)
+    scale = length_mm(meta.get("Length Units", "Meters").strip(), path)
     above = {row[1].strip(): row for row in rows[:head] if len(row) > 1 and row[1].strip() in ("Type", "Name")}
     if "Name" not in above:
         raise InputError("the row with names is missing.", "Export with Motive's header.", file=path, line=head + 1)
-    names, measured, axes = above["Name"], rows[head - 1], rows[head]
-    kinds = above.get("Type", [""] * len(names))
-    places: dict[str, dict[tuple[str, str], int]] = {}
-    for k in range(2, min(len(names), len(measured), len(axes))):
-        if kinds[k].strip() != "Rigid Body Marker":
-            places.setdefault(names[k].strip(), {})[measured[k].strip(), axes[k].strip()] = k
-    values = _cells(path, rows, head + 1, len(axes))
+    kinds = above.get("Type", [""] * len(above["Name"]))
+    parts = list(zip(above["Name"], rows[head - 1], rows[head], kinds, strict=False))
+    table = _below(path, rows, head + 1, ["frame", "time", *(_part(*own[:3]) for own in parts[2:])])
+    time = table.numbers("time")[:, 0]
     quaternions = meta.get("Rotation Type", "Quaternion").strip() == "Quaternion"
     out = {}
-    for name, at in places.items():
-        position, turn = [("Position", a) for a in "XYZ"], [("Rotation", a) for a in "XYZW"]
-        if not all(p in at for p in position):
-            continue
-        body = values[:, [at[p] for p in position]] * scale
-        if quaternions and all(t in at for t in turn):
-            body = np.hstack([body, rotation_vector(values[:, [at[t] for t in turn]])])
-        out[name] = Samples(name, values[:, 1], body)
+    for name in dict.fromkeys(name.strip() for name, *_, kind in parts[2:] if kind.strip() != "Rigid Body Marker"):
+        place, turn = [_part(name, "Position", a) for a in "XYZ"], [_part(name, "Rotation", a) for a in "XYZW"]
+        if {*place} <= {*table.columns}:
+            body = table.numbers(*place) * scale
+            if quaternions and {*turn} <= {*table.columns}:
+                body = np.hstack([body, rotation_vector(table.numbers(*turn))])
+            out[name] = Samples(name, time, body)
     return out
+
+
+def _part(name: str, measured: str, axis: str) -> str:
+    return f"{name.strip()} {measured.strip()} {axis.strip()}"
 
 
 def _nexus(path: Path, rows: Sequence[Sequence[str]]) -> Captured:
@@ -142,37 +142,24 @@ def _nexus(path: Path, rows: Sequence[Sequence[str]]) -> Captured:
     if len(rows) < 6:
         raise InputError("the table ends in its header.", "Export the trajectories again.", file=path, line=len(rows))
     rate = number_of(rows[1][0].strip()) if rows[1] else None
-    names, units = rows[2], rows[4]
-    values = _cells(path, rows, 5, len(rows[3]))
-    time = values[:, 0] / _positive(rate or 0.0, path)
+    table = _below(path, rows, 5, [f"column {k + 1}" for k in range(len(rows[3]))])
+    time = table.numbers("column 1")[:, 0] / _positive(rate or 0.0, path)
     out = {}
-    for k, name in enumerate(names):
-        if name.strip() and k + 3 <= values.shape[1]:
-            scale = _scale(units[k].strip().lower() if k < len(units) else "mm", path)
-            out[name.strip()] = Samples(name.strip(), time, values[:, k : k + 3] * scale)
+    for k, name in enumerate(map(str.strip, rows[2])):
+        if name and k + 3 <= len(rows[3]):
+            scale = length_mm(rows[4][k].strip() if k < len(rows[4]) else "mm", path)
+            out[name] = Samples(name, time, table.numbers(*(f"column {n}" for n in range(k + 1, k + 4))) * scale)
     return out
 
 
-def _cells(path: Path, rows: Sequence[Sequence[str]], start: int, width: int) -> Array:
-    """Return the numbers (N, width) below a header, up to the first empty row; nan where a cell is blank."""
-    out = []
-    for line, row in enumerate(rows[start:], start=start + 1):
-        if not any(cell.strip() for cell in row):
-            break
-        numbers = [np.nan if not cell.strip() else number_of(cell.strip()) for cell in row[:width]]
-        if None in numbers:
-            bad = row[numbers.index(None)]
-            raise InputError(f"'{bad}' is no number.", "Export the capture again.", file=path, line=line)
-        out.append([*numbers, *[np.nan] * (width - len(numbers))])
-    if not out:
+def _below(path: Path, rows: Sequence[Sequence[str]], start: int, names: Sequence[str]) -> Rows:
+    """Return what stands below a header, up to the first empty row."""
+    end = next((k for k in range(start, len(rows)) if not any(cell.strip() for cell in rows[k])), len(rows))
+    if end <= start:
         raise InputError("there are no frames below the header.", "Export the capture again.", file=path)
-    return np.array(out, dtype=float)
-
-
-def _scale(unit: str, path: Path) -> float:
-    if unit not in LENGTHS:
-        raise InputError(f"'{unit}' is no unit of length.", f"Known: {', '.join(LENGTHS)}.", file=path)
-    return LENGTHS[unit]
+    filled = [[*map(str.strip, row), *[""] * (len(names) - len(row))] for row in rows[start:end]]
+    columns = {name: [row[k] for row in filled] for k, name in enumerate(names)}
+    return Rows(path, columns, np.arange(start, end) + 1, start)
 
 
 def _positive(rate: float, path: Path) -> float:
