@@ -19,8 +19,7 @@ from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.estimation.series import Series
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.files.recording import read_recording
-from deltacal_gen.files.robot import robot_to_toml
-from deltacal_gen.identification.carried import words as told_further
+from deltacal_gen.files.robot import kept_robot, robot_to_toml
 from deltacal_gen.identification.folds import folds
 from deltacal_gen.identification.identification import identify
 from deltacal_gen.identification.orders import Orders, wave
@@ -28,9 +27,9 @@ from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.pages import report
 from deltacal_gen.physics.terms import Term
 from deltacal_gen.results.diagnosis import Diagnosis, Seen, SeenJoint
+from deltacal_gen.results.document import rounded
 from deltacal_gen.results.parts import NeverSeen
 from deltacal_gen.results.result import Result
-from deltacal_gen.results.shown import rounded
 from deltacal_gen.units import DEG
 from deltacal_gen.use.prediction import known_effects
 from tests.support.open_chains import robot
@@ -276,7 +275,7 @@ def test_another_session_tells_further_of_errors_where_the_diagnosis_never_was(
     assert told.heldout_rms_mm < 0.7 * told.held_rms_mm
     assert carried.heldout_rms_mm == told.heldout_rms_mm
     assert carried.never_seen is None
-    assert "at joints 2 and 3" in told_further(told, robot())
+    assert "at joints 2 and 3" in told.words(kept_robot(robot()).places)
 
     def off(result: Result) -> Array:
         return (commands.predict(result, far, bands=True).measured - far.measured)[:, :3]
@@ -321,7 +320,7 @@ def test_what_another_session_tells_further_is_on_the_screen(
     with pytest.raises(SystemExit) as ended:
         cli.main()
     assert not ended.value.code
-    assert "go on from what the diagnosis knows" in " ".join(capsys.readouterr().out.split())
+    assert "are updated from those of the diagnosis" in " ".join(capsys.readouterr().out.split())
 
 
 def test_a_held_effect_moves_the_machine_as_a_free_one_does(tmp_path: Path) -> None:

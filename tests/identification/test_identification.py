@@ -21,7 +21,8 @@ from deltacal_gen.machine.registry import Machine, load_mechanism
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.pages import report
 from deltacal_gen.physics.simulation import simulate
-from deltacal_gen.results.shown import decimals, needless
+from deltacal_gen.results.document import decimals
+from deltacal_gen.results.parts import needless
 from deltacal_gen.units import DEG, to_internal
 from deltacal_gen.use.prediction import predict
 from tests.support.prototype import plausible, rings, scattered, wanted

@@ -10,8 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from deltacal_gen.app.cli.calibration import _show_result
-from deltacal_gen.app.cli.common import screen
+from deltacal_gen.app.cli.common import screen, show
 from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.recording import read_recording
@@ -25,7 +24,7 @@ from deltacal_gen.machine.values import Measurement, Recording, Robot, poses_of
 from deltacal_gen.physics.motion import approach, motion_of
 from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.physics.terms import Term, blank
-from deltacal_gen.results.shown import decimals
+from deltacal_gen.results.document import decimals
 from deltacal_gen.units import DEG
 from deltacal_gen.use import prediction, validation
 from deltacal_gen.use.comparison import compare
@@ -92,10 +91,10 @@ def test_the_screen_has_the_unit_of_the_readings(
 ) -> None:
     monkeypatch.setattr(screen, "_file", None)
     found = identify(robot, read(robot)).answer()
-    _show_result(found)
+    show(found)
     assert "robot file has it" not in capsys.readouterr().out  # as above
     assert found.heldout_rms_mm is not None
-    _show_result(found.replace(rank=1, degrees_of_freedom=1.0, before_rms_mm=found.heldout_rms_mm / 2))
+    show(found.replace(rank=1, degrees_of_freedom=1.0, before_rms_mm=found.heldout_rms_mm / 2))
     shown = " ".join(capsys.readouterr().out.split())
     half = found.heldout_rms_mm / 2 / (100 * DEG)
     assert f"leaves no more, {decimals(half)} deg, than" in shown

@@ -14,8 +14,8 @@ from deltacal_gen.app import commands
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.robot import read_robot, robot_to_toml
-from deltacal_gen.results.motion import MotionStudy
 from deltacal_gen.results.reader import read_answer
+from deltacal_gen.results.trajectories import MotionStudy
 
 MACHINES = 200
 FRICTION = """

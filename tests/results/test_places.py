@@ -13,8 +13,8 @@ import numpy as np
 
 from deltacal_gen.app import commands
 from deltacal_gen.app.demonstration import example
-from deltacal_gen.files.robot import read_robot, robot_from_dict, robot_to_toml
-from deltacal_gen.machine.places import at, number_of, part_of, place_of
+from deltacal_gen.files.robot import kept_robot, read_robot, robot_from_dict, robot_to_toml
+from deltacal_gen.machine.places import at, place_of, places_of
 from deltacal_gen.motion.diagnosis import _in_words
 from deltacal_gen.results.diagnosis import LawTerm
 from tests.support.commands import Run
@@ -26,9 +26,18 @@ STAND = {"kind": "fixed", "d": 40.0}  # a link that counts as a table of the fil
 
 
 def test_every_machine_has_its_word() -> None:
-    told = {name: part_of(read_robot(example(name) / "robot.toml")) for name in ("delta", "hexapod", "linear_delta")}
+    robots = {name: read_robot(example(name) / "robot.toml") for name in ("delta", "hexapod", "linear_delta")}
+    told = {name: places_of(robot).part for name, robot in robots.items()}
     assert told == {"delta": "limb", "hexapod": "leg", "linear_delta": "tower"}
-    assert part_of(arm()) == "joint"
+    assert places_of(arm()).part == "joint"
+
+
+def test_an_answer_calls_places_as_the_machine_does() -> None:
+    examples = [path.parent.name for path in example().parent.glob("*/robot.toml")]
+    stood, axis = arm([STAND, *ARM[:2], STAND, *ARM[2:]]), robot_from_dict(AXIS)
+    robots = [read_robot(example(name) / "robot.toml") for name in examples]
+    for robot in (*robots, arm(), stood, axis, dataclasses.replace(axis, name="X slide")):
+        assert kept_robot(robot).places == places_of(robot)
 
 
 def test_several_are_counted_and_the_whole_machine_is_nowhere() -> None:
@@ -43,7 +52,7 @@ def test_a_joint_is_told_with_its_table_where_the_file_counts_other_links_too() 
     plain, stood = arm(), arm([STAND, *ARM[:2], STAND, *ARM[2:]])
     assert place_of(plain, (2, 3)) == "joints 2 and 3"
     assert place_of(stood, (2, 3)) == "joints 2 ([[joint]] 3) and 3 ([[joint]] 5)"
-    assert [number_of(stood, k) for k in (1, 6)] == ["1 ([[joint]] 2)", "6 ([[joint]] 8)"]
+    assert [places_of(stood).number(k) for k in (1, 6)] == ["1 ([[joint]] 2)", "6 ([[joint]] 8)"]
 
 
 def test_an_axis_goes_by_its_name() -> None:

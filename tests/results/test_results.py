@@ -17,11 +17,11 @@ from jsonschema import Draft202012Validator
 import deltacal_gen as dc
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.errors import InputError
-from deltacal_gen.results import published, shown
+from deltacal_gen.results import published
 from deltacal_gen.results.base import Value, key_of
+from deltacal_gen.results.document import Text, as_html, as_text, rounded, table_of
 from deltacal_gen.results.reader import ANSWERS, read_answer, read_result, type_of, types_of
 from deltacal_gen.results.result import Remedy, Result
-from deltacal_gen.results.shown import rounded
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
@@ -355,8 +355,9 @@ def test_people_read_a_value_as_far_as_it_is_known() -> None:
     assert rounded(1.23456e-5, 3.3e-8) == ("1.2346e-05", "3.3e-08")
     assert rounded(1.23456, None) == ("1.235", "-")
     rows = [{"name": "L_1", "value": -0.0538492, "std": 0.0473807}, {"name": "ex_1", "value": -0.194392, "std": None}]
-    assert shown.text("found", rows) == "found\nname  value    std\nL_1   -0.054   0.047\nex_1  -0.1944  -"
-    assert "<td>-0.054</td><td>0.047</td>" in shown.page("found", rows)
+    found = [Text("found"), *table_of(rows)]
+    assert as_text(found) == "found\nname  value    std\nL_1   -0.054   0.047\nex_1  -0.1944  -"
+    assert "<td>-0.054</td><td>0.047</td>" in as_html(found)
 
 
 def test_a_robot_in_an_answer_says_what_it_is(answers: dict[str, Any]) -> None:

@@ -20,9 +20,9 @@ from deltacal_gen.files.writing import write_recording
 from deltacal_gen.identification.identification import identify
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.simulation import simulate
+from deltacal_gen.results.result import flattered
 from deltacal_gen.results.written import FirmwareLines
 from deltacal_gen.units import DEG
-from deltacal_gen.use.comparison import flattered
 from deltacal_gen.use.firmware import Printed, firmware_lines
 from tests.support.commands import Run
 from tests.support.printers import (

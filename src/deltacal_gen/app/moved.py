@@ -6,6 +6,7 @@ import math
 
 from deltacal_gen.results.base import Answer
 from deltacal_gen.results.diagnosis import Diagnosis
+from deltacal_gen.results.document import rounded
 from deltacal_gen.results.motion import (
     MotionDiagnosis,
     MotionModel,
@@ -15,7 +16,6 @@ from deltacal_gen.results.motion import (
     by_limb,
 )
 from deltacal_gen.results.result import Result
-from deltacal_gen.results.shown import rounded
 from deltacal_gen.results.validation import Validation
 from deltacal_gen.use.comparison import compare
 

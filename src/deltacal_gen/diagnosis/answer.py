@@ -64,8 +64,8 @@ from deltacal_gen.results.diagnosis import (
     StandingOrder,
     Verdict,
 )
-from deltacal_gen.results.parts import InstrumentState, MachineState, Missing, Source
-from deltacal_gen.results.shown import decimals, needless, rounded
+from deltacal_gen.results.document import decimals, rounded
+from deltacal_gen.results.parts import InstrumentState, MachineState, Missing, Source, needless
 from deltacal_gen.units import DEG, joint_factors, joint_names
 
 SHORT = 2.0  # times the noise: a held-out error beyond it says that the geometry itself is hardly known

@@ -224,15 +224,6 @@ def further(at: Fit, known: Periodic, again: Callable[[tuple[Term, ...]], Fit]) 
     return Further(again_at, told)
 
 
-def words(told: Continued, robot: Robot) -> str:
-    """Return in words which periodic errors are told further, and what that is worth."""
-    where, held, now = at(robot, told.limbs), told.held_rms_mm, told.heldout_rms_mm
-    return (
-        f"the periodic errors{where} go on from what the diagnosis knows of them: held-out readings lie {held:.3g} mm "
-        f"off with its own, {now:.3g} mm with what these readings tell beside"
-    )
-
-
 def _typical(squares: Array) -> float:
     """Return the mean of squares that no gross error outweighs."""
     bound = 9 * float(np.median(squares)) + 1e-300

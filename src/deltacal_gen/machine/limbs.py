@@ -30,6 +30,7 @@ from deltacal_gen.machine.machine import (
     Reach,
 )
 from deltacal_gen.machine.rotation import Array, cayley_matrix, cayley_vector
+from deltacal_gen.results.places import part_named
 
 if TYPE_CHECKING:
     from deltacal_gen.machine.values import Robot
@@ -37,7 +38,6 @@ if TYPE_CHECKING:
 KNOWN, KNOWN_BYTES = 16, 20_000_000  # sets of constants that are kept, and how large all of them may become
 NUDGE = 1e-3  # mm and rad: by which a dimension and an error are moved to see whether they are one
 SETTLED_MM = 1e-9  # how near to the target a machine with effects is brought
-PARTS = ("tower", "leg")  # what a limb is called, where dimensions in its robot file are: `tower_angle`, `leg_length`
 STEPS = 60  # of Newton's method with the rigid machine's Jacobian: what effects add to it slows the last digits only
 
 
@@ -71,7 +71,7 @@ class Limbs(Machine):
         self.axes: tuple[str, ...] = tuple(name[1] for name in self.platform if name[0] == "p")
         self.turns: tuple[str, ...] = tuple(name[1] for name in self.platform if name[0] == "c")
         self.geometry = tuple(GeometryKey(*row) for row in tables.GEOMETRY)
-        one = next((part for part in PARTS if any(k.key.startswith(f"{part}_") for k in self.geometry)), "limb")
+        one = part_named(k.key for k in self.geometry)
         self.part = one if self.limbs > 1 else "joint"
         self.deflections: tuple[str, ...] = tuple(name for name, _, _ in tables.DEFLECTIONS)
         self.errors: tuple[str, ...] = tuple(name for name, *_ in tables.ERRORS)

@@ -14,25 +14,18 @@ import numpy as np
 
 from deltacal_gen.machine.chain import HAYATI
 from deltacal_gen.machine.registry import Array, mechanism_of
+from deltacal_gen.results.places import MOVING, Places
 
 if TYPE_CHECKING:
     from deltacal_gen.machine.values import Link, Robot
 
-MOVING = ("revolute", "prismatic")  # links that count as joints; what is fixed or coupled has no number of its own
 LEAST_TWIST = 0.1  # rad: axes that are nearly parallel are so whichever way their twist counts
 LENGTHS = ((10.0, "cm"), (1000.0, "metres"))  # and how many mm are one of them
-NAMELESS = ("robot", "axis")  # names of machines that say no more than that it is one
 
 
-def part_of(robot: Robot) -> str:
-    """Return what one of its limbs is called, as `limb`, `tower`, `leg` or `joint`."""
-    return mechanism_of(robot).part
-
-
-def number_of(robot: Robot, limb: int) -> str:
-    """Return which of its limbs one is, as `2`; where a chain's file counts other links, too, with its table there."""
-    tables = [k for k, link in enumerate(robot.links, start=1) if link.kind in MOVING]
-    return str(limb) if not tables or tables[limb - 1] == limb else f"{limb} ([[joint]] {tables[limb - 1]})"
+def places_of(robot: Robot) -> Places:
+    """Return what the limbs of a machine are called, and which they are."""
+    return Places.of([link.kind for link in robot.links], robot.name, mechanism_of(robot).part)
 
 
 def read_together(robot: Robot) -> list[tuple[int, int]]:
@@ -75,20 +68,10 @@ def misread(robot: Robot) -> Iterator[tuple[str, Robot]]:
 
 
 def place_of(robot: Robot, limbs: Sequence[int], part: str | None = None) -> str:
-    """Return where something sits, as `limb 2`, `towers 1 and 3` or `joint 3 ([[joint]] 4)`; "" of the whole machine.
-
-    A chain of one joint is an axis, which has a name: there is no other to be counted. `part` is what one is called
-    where that is not the machine's own word: drives are of joints.
-    """
-    if not limbs:
-        return ""
-    if robot.links and mechanism_of(robot).limbs == 1:
-        return "the axis" + ("" if robot.name in NAMELESS else f" '{robot.name}'")
-    *others, last = (number_of(robot, limb) for limb in limbs)
-    several = f"{', '.join(others)} and {last}" if others else last
-    return f"{part or part_of(robot)}{'s' if others else ''} {several}"
+    """Return where something sits; see `results.places`."""
+    return places_of(robot).name(limbs, part)
 
 
 def at(robot: Robot, limbs: Sequence[int], part: str | None = None) -> str:
     """Return the same behind what sits there, as ` at limb 2`; "" of the whole machine."""
-    return f" at {place_of(robot, limbs, part)}" if limbs else ""
+    return places_of(robot).at(limbs, part)

@@ -6,7 +6,7 @@ from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.pages import report
 from deltacal_gen.pages.validation import norms
 from deltacal_gen.results.certificate import Certificate
-from deltacal_gen.results.shown import decimals
+from deltacal_gen.results.document import decimals
 
 MANY = 10_000  # degrees of freedom: t and normal distribution are one
 

@@ -33,10 +33,10 @@ from deltacal_gen.physics.terms import term_of
 from deltacal_gen.results.base import shown_in
 from deltacal_gen.results.batch import Done
 from deltacal_gen.results.diagnosis import Baseline, Diagnosis, Effect, Final, Hint, Verdict
-from deltacal_gen.results.motion import MotionStudy
 from deltacal_gen.results.parts import EffectName
 from deltacal_gen.results.result import Result, Status
 from deltacal_gen.results.study import Advice, Position, Study, Suspect
+from deltacal_gen.results.trajectories import MotionStudy
 from deltacal_gen.states import of_column
 from deltacal_gen.units import file_unit, joint_factors, joint_names, to_internal
 

@@ -16,7 +16,7 @@ from deltacal_gen.machine.values import Robot
 from deltacal_gen.pages.figures import AFTER, BEFORE, MUTED
 from deltacal_gen.physics.formula import formula
 from deltacal_gen.results.diagnosis import LawCurve, LawOf, LawTerm, RunnerUp
-from deltacal_gen.results.shown import rounded
+from deltacal_gen.results.document import rounded
 
 WITHIN = 1.96  # standard deviations of the band: 95 %
 _SIGNS = {ast.Lt: "&lt;", ast.LtE: "≤", ast.Gt: "&gt;", ast.GtE: "≥"}
@@ -30,7 +30,7 @@ def where(term: LawTerm, robot: Robot) -> str:
 
 def _part(term: LawTerm | RunnerUp, robot: Robot) -> str:
     """Return what the limbs of a term are called: drives are of joints."""
-    return "joint" if term.target == "torque" else places.part_of(robot)
+    return "joint" if term.target == "torque" else places.places_of(robot).part
 
 
 def headline(law: LawOf, robot: Robot) -> str:
@@ -55,7 +55,7 @@ def rows(law: LawOf, robot: Robot) -> list[tuple[str, ...]]:
     return [
         (
             t.target,
-            "" if c.limb is None else places.number_of(robot, c.limb),
+            "" if c.limb is None else places.places_of(robot).number(c.limb),
             c.name,
             _number(c.value, c.std),
             "" if c.unit == "1" else c.unit,

@@ -17,7 +17,7 @@ from deltacal_gen.motion.limits import PATTERNS, limits_of
 from deltacal_gen.pages import figures
 from deltacal_gen.pages.figures import mpl
 from deltacal_gen.planning.matrix import Plan
-from deltacal_gen.results.motion import MotionPlan
+from deltacal_gen.results.trajectories import MotionPlan
 from deltacal_gen.states import TIME
 from deltacal_gen.units import joint_factors, joint_names
 

@@ -14,10 +14,10 @@ from deltacal_gen.results.base import Answer
 from deltacal_gen.results.batch import Batch, DrivesRow, FailedRow
 from deltacal_gen.results.comparison import Change, Comparison
 from deltacal_gen.results.diagnosis import Diagnosis
-from deltacal_gen.results.motion import MotionStudy
 from deltacal_gen.results.plan import Plan
 from deltacal_gen.results.result import Result
 from deltacal_gen.results.study import Study
+from deltacal_gen.results.trajectories import MotionStudy
 from deltacal_gen.results.validation import Validation
 
 

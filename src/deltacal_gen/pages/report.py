@@ -21,7 +21,6 @@ import numpy as np
 from markupsafe import Markup
 
 from deltacal_gen.files.robot import robot_of
-from deltacal_gen.machine.places import number_of, part_of
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.pages import figures, laws
@@ -30,7 +29,7 @@ from deltacal_gen.pages.left import Left, in_order, places, spread
 from deltacal_gen.physics.law import ADVICE as LAW_ADVICE
 from deltacal_gen.physics.terms import load_effect, of_the_instrument
 from deltacal_gen.results.base import shown_in
-from deltacal_gen.results.batch import ASIDE, Batch, DrivesRow, FailedRow, alike, in_table, worst
+from deltacal_gen.results.batch import Batch, DrivesRow, FailedRow, alike, in_table, worst
 from deltacal_gen.results.diagnosis import (
     Baseline,
     Diagnosis,
@@ -40,12 +39,11 @@ from deltacal_gen.results.diagnosis import (
     NextMeasurement,
     Verdict,
 )
+from deltacal_gen.results.document import decimals, rounded
 from deltacal_gen.results.parts import Source
+from deltacal_gen.results.places import Places
 from deltacal_gen.results.result import Result, Status
-from deltacal_gen.results.shown import decimals, rounded
 from deltacal_gen.use import firmware
-from deltacal_gen.use.comparison import said_of_carried, said_of_errors
-from deltacal_gen.use.unseen import sentences
 
 _COLOURS = {INK: "var(--ink)", MUTED: "var(--muted)", BEFORE: "var(--before)", AFTER: "var(--after)"}
 _PAPER = {"var(--card)": "#ffffff", "var(--paper)": "#ffffff", "var(--good)": "#2c7a4b", "var(--bad)": "#b8472f"}
@@ -117,11 +115,11 @@ def diagnosis(found: Diagnosis) -> str:
         if positions
         else [],
         law=_law(found),
-        part=part_of(robot),
+        part=found.robot.places.part,
         effects=_effects(found),
-        parameters=[_parameter(e, p, robot) for e in found.effects for p in e.parameters],
+        parameters=[_parameter(e, p, found.robot.places) for e in found.effects for p in e.parameters],
         orders=[
-            (number_of(robot, s.limb), str(s.order), measured(s.amplitude_deg, s.std_deg), "deg")
+            (found.robot.places.number(s.limb), str(s.order), measured(s.amplitude_deg, s.std_deg), "deg")
             for e in found.effects
             for s in e.standing_out or ()
         ],
@@ -141,7 +139,7 @@ def batch(found: Batch, links: Mapping[str, str] | None = None) -> str:
     `links` says where the pages of single recordings are.
     """
     rows, failed = found.rows, [r for r in found.rows if isinstance(r, FailedRow)]
-    columns = [c for c in dict.fromkeys(k for r in rows for k, _ in r.written()) if c not in ASIDE]
+    columns = found.columns
     done = [r for r in rows if not isinstance(r, FailedRow)]
     drawn = [r for r in done if not isinstance(r, DrivesRow)]  # all in one unit
     picture = ""
@@ -211,8 +209,8 @@ def calibration(found: Result, left: Left | None = None) -> str:
         left=[{"title": "", "svg": _svg(draw, size)} for draw, size in _left_panels(left)],
         parameters=_parameter_rows(found, pinned=True),
         unpinned=_parameter_rows(found, pinned=False),
-        unseen=[(sentence, c.text) for sentence, c in zip(sentences(found), found.unidentifiable, strict=True)],
-        errors=[*said_of_errors(found), *said_of_carried(found)],
+        unseen=[(c.meaning or "", c.text) for c in found.unidentifiable],
+        errors=[*found.errors_told, *found.carried_told],
         gross=", ".join(map(str, found.gross_errors or ())),
     )
 
@@ -440,8 +438,8 @@ def _steps(found: Diagnosis) -> list[dict[str, str]]:
     return steps
 
 
-def _parameter(effect: Effect, p: EffectParameter, robot: Robot) -> tuple[str, ...]:
-    joint = "" if p.limb is None else number_of(robot, p.limb)
+def _parameter(effect: Effect, p: EffectParameter, places: Places) -> tuple[str, ...]:
+    joint = "" if p.limb is None else places.number(p.limb)
     return (
         spaced(effect.name),
         joint,

@@ -10,8 +10,9 @@ import numpy as np
 from deltacal_gen.files.robot import robot_of
 from deltacal_gen.pages import figures, report
 from deltacal_gen.results.base import shown_in
-from deltacal_gen.results.motion import MotionStudy, TorqueAddition, by_limb
+from deltacal_gen.results.motion import by_limb
 from deltacal_gen.results.study import Advice, Study, Suspect
+from deltacal_gen.results.trajectories import MotionStudy, TorqueAddition
 
 
 def page(found: Study | MotionStudy) -> str:

@@ -10,7 +10,7 @@ from matplotlib.axes import Axes
 from deltacal_gen.pages import report
 from deltacal_gen.pages.figures import AFTER, BEFORE, INK, MUTED
 from deltacal_gen.results.base import shown_in
-from deltacal_gen.results.shown import decimals
+from deltacal_gen.results.document import decimals
 from deltacal_gen.results.validation import Iso230, Iso9283, Validation
 
 WIDTH = 2.0  # standard deviations that a band shows to either side: those of ISO 230-2

@@ -40,9 +40,9 @@ from deltacal_gen.planning.exciting import Excitation
 from deltacal_gen.planning.machines import Trial
 from deltacal_gen.planning.monte_carlo import drawn
 from deltacal_gen.results.base import Value
-from deltacal_gen.results.motion import MotionStudy, ToldParameter, TorqueAddition, TorqueSpread
 from deltacal_gen.results.parts import EffectName, Missing
 from deltacal_gen.results.reader import TORQUE
+from deltacal_gen.results.trajectories import MotionStudy, ToldParameter, TorqueAddition, TorqueSpread
 from deltacal_gen.states import named
 
 BODIES, ABOUT = 0.1, 100.0  # by so much of its mass a body differs, so far from its frame [mm]: standard deviations

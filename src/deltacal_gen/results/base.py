@@ -22,6 +22,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Self, Union, dataclass_transfo
 import numpy as np
 
 from deltacal_gen.results import shown
+from deltacal_gen.results.document import Document, Text, as_html, as_text, table_of
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -204,15 +205,20 @@ class Answer(Value, Mapping[str, Any]):
         """Return a picture of the answer, which a notebook shows; ``answer.plot().savefig("it.svg")`` writes it."""
         return shown.picture(self)
 
+    def document(self) -> Document:
+        """Yield the answer as a person reads it: sentences and tables."""
+        yield Text(self.headline)
+        yield from table_of([row.to_dict() for row in self.table()])
+
     def __str__(self) -> str:
-        """Return the answer as text: one line, and its table."""
-        return shown.text(self.headline, [row.to_dict() for row in self.table()])
+        """Return the answer as text."""
+        return as_text(self.document())
 
     def __repr__(self) -> str:
         return f"<{type(self).__name__}: {self.headline}>"
 
     def _repr_html_(self) -> str:
-        return shown.page(self.headline, [row.to_dict() for row in self.table()])
+        return as_html(self.document())
 
     def to_json(self) -> str:
         """Return the text of the file: a line to each key.

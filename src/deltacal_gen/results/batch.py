@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any, ClassVar, Literal
 
 from deltacal_gen.results.base import Answer, Value
+from deltacal_gen.results.document import MOST_ROWS, Document, Table, Text, number, some
 
 Action = Literal["diagnose", "identify", "validate"]
 ASIDE = ("machine", "error", "warnings")  # of a row, told apart from the table
@@ -142,14 +143,41 @@ class Batch(Answer):
         """Return a row for each recording."""
         return self.rows
 
+    @property
+    def columns(self) -> list[str]:
+        """The keys of its table."""
+        return [c for c in dict.fromkeys(k for r in self.rows for k, _ in r.written()) if c not in ASIDE]
+
+    def document(self) -> Document:
+        """Yield a row for each recording, what moved, common laws, failures and warnings."""
+        columns, rows = self.columns, self.rows
+        cells = ([getattr(r, c, None) for c in columns] for r in worst(rows, MOST_ROWS))
+        shown = [tuple(number(c) if isinstance(c, float) else str(in_table(c)) for c in row) for row in cells]
+        yield Table(tuple(c.replace("_", " ") for c in columns), shown)
+        if len(rows) > MOST_ROWS:
+            yield Text(f"These are the {MOST_ROWS} with the largest errors.")
+        yield from (Text(f" after {c.from_}: {c.text}", c.to) for c in self.changed[:MOST_ROWS])
+        if len(self.changed) > MOST_ROWS:
+            yield Text(f"{len(self.changed) - MOST_ROWS} more comparisons are in the run's page")
+        yield from self._aside()
+
+    def _aside(self) -> Iterator[Text]:
+        failed = alike([(r.recording, r.error) for r in self.rows if r.error is not None])
+        warned = alike([(r.recording, r.warnings) for r in self.rows if r.warnings])
+        for words, told in (("failed", failed), ("warning", warned)):
+            yield from (Text(f"{words}: {names}: {why}") for names, why in told[:MOST_ROWS])
+        if self.passed_over:
+            yield Text(f"passed over: {some(self.passed_over, FEW)}: no recordings")
+        done = sum(r.error is None for r in self.rows)
+        yield Text(f"{done} of {len(self.rows)} recordings done")
+
     def summary(self) -> str:
         """Return the answer as text, as `print` shows it."""
         return str(self)
 
 
 def _listed(names: Sequence[str]) -> str:
-    """Return names, of many the first ones and how many more."""
-    return (", ".join(names[:FEW]) + (f" and {len(names) - FEW} more" if len(names) > FEW else "")) or "none"
+    return some(names, FEW)
 
 
 def worst(rows: Sequence[Row], most: int) -> list[Row]:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Literal
 
-from deltacal_gen.results.base import Answer, Value
+from deltacal_gen.results.base import Answer, Value, shown_in
+from deltacal_gen.results.document import Document, Table, Text, decimals
 from deltacal_gen.results.parts import Made
 from deltacal_gen.results.validation import Iso230, Iso9283, Placed
 
@@ -109,7 +110,7 @@ class Certificate(Answer):
     @property
     def headline(self) -> str:
         """Errors before and after, with their uncertainty."""
-        unit, length = (self.unit, self.unit_mm) if self.unit and self.unit_mm else ("mm", 1.0)
+        unit, length = shown_in(self)
         return (
             f"{self.machine}: {self.before.rms_mm / length:.4g} {unit} before, {self.after.rms_mm / length:.4g} {unit} "
             f"after; U = {self.budget.expanded_mm / length:.3g} {unit} (k = {self.budget.factor:.2f})"
@@ -118,3 +119,11 @@ class Certificate(Answer):
     def table(self) -> tuple[Contribution, ...]:
         """Return the uncertainty budget."""
         return self.budget.contributions
+
+    def document(self) -> Document:
+        """Yield errors before and after, and the uncertainty budget."""
+        unit, length = shown_in(self)
+        yield Text(self.headline)
+        rows = [(c.source, c.evaluation, decimals(c.sigma_mm / length), f"{c.share:.1%}") for c in self.table()]
+        yield Table(("contribution", "type", unit, "share"), rows)
+        yield Text(f"{self.budget.within:.0%} of what was read lies within U")

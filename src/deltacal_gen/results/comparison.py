@@ -5,7 +5,10 @@ from __future__ import annotations
 from typing import Literal
 
 from deltacal_gen.results.base import Answer, Value
+from deltacal_gen.results.document import Document, Table, Text, number, some
 from deltacal_gen.results.parts import Made
+
+MOST_NAMES = 8  # of parameters in a line
 
 
 class Change(Value):
@@ -56,6 +59,20 @@ class Comparison(Answer):
     def headline(self) -> str:
         """The summary."""
         return self.summary
+
+    def document(self) -> Document:
+        """Yield what changed, and the names of what did not."""
+        combined = self.combinations_changed is not None
+        unchanged = (self.combinations_unchanged or ()) if combined else self.unchanged
+        yield Text(self.summary)
+        if rows := [(e.name, *map(number, (e.before, e.after, e.change, e.std)), e.unit) for e in self.table()]:
+            yield Table(("changed", "before", "after", "change", "std", "unit"), rows)
+        for words, names in (
+            ("unchanged", [e.name for e in unchanged if " " not in e.name]),
+            ("not known one by one", [e.name for e in self.unknown]),
+        ):
+            if names:
+                yield Text(f"{words}: {some(names, MOST_NAMES)}")
 
     def table(self) -> tuple[Change, ...]:
         """Return what changed."""

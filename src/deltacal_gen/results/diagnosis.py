@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from enum import StrEnum
 from typing import Literal
 
 from deltacal_kernels.effects import ORDERS
 
-from deltacal_gen.results.base import Answer, Column, Counts, Rows, Value
+from deltacal_gen.results.base import Answer, Column, Counts, Rows, Value, shown_in
+from deltacal_gen.results.document import Document, Table, Text, decimals, number, rounded
 from deltacal_gen.results.parts import (
     InstrumentState,
     MachineState,
@@ -19,6 +21,7 @@ from deltacal_gen.results.parts import (
     Source,
     TermState,
     Uncertainty,
+    put_right,
 )
 from deltacal_gen.results.result import Parameter
 
@@ -434,6 +437,64 @@ class Diagnosis(Answer):
     def headline(self) -> str:
         """Verdict and summary."""
         return f"{self.verdict.replace('_', ' ')}: {self.summary}"
+
+    def document(self) -> Document:
+        """Yield the verdict, what was found, errors without and with it, what is suspected, and what to do next."""
+        places, (unit, length) = self.robot.places, shown_in(self)
+        yield Text(f": {self.summary}", self.verdict.replace("_", " "))
+        yield from self._found()
+        yield from (Text(words, level=1) for words in self._laws())
+        rows = [
+            (
+                words,
+                decimals(row.train_rms_mm / length),
+                number(row.heldout_rms_mm and row.heldout_rms_mm / length),
+                f"{row.chi2_per_dof:.2f}",
+            )
+            for words, row in (("geometry", self.baseline), ("with what was found", self.final))
+        ]
+        yield Table((f"{unit}, rms of the readings", "fitted", "held out", "chi2 per degree of freedom"), rows)
+        for hint in self.hints:
+            yield Text(f"suspected, p = {hint.p_value:.2g}: {hint.name}{places.at(hint.limbs)}; it {hint.why}", level=1)
+        for question in self.next_measurements:
+            clear = question.expected_chi2
+            promise = "" if clear is None else f" (expected difference in chi2: {clear:.0f})"
+            yield Text(f"next, {question.why}: {question.text}{promise}", level=1)
+        for missing in dict.fromkeys(other.missing for other in self.not_tested):
+            names = ", ".join(other.name for other in self.not_tested if other.missing == missing)
+            yield Text(f"not tested: {names}; needs {missing}", level=1)
+        if self.gross_errors:
+            yield Text(f"outliers in lines {', '.join(map(str, self.gross_errors))}")
+        yield from map(Text, put_right(self.motion.repairs if self.motion else ()))
+
+    def _found(self) -> Iterator[Text | Table]:
+        """Yield the parameters of the effects, and what they are indistinguishable from."""
+        places, rows = self.robot.places, []
+        for effect in self.effects:
+            for p in effect.parameters:
+                limb = "" if p.limb is None else places.number(p.limb)
+                value, std = (p.value, "-") if isinstance(p.value, str) else rounded(p.value, p.std)
+                rows.append((effect.name, limb, p.label, value, std, p.unit))
+        if rows:
+            yield Table(("effect", places.part, "parameter", "value", "std", "unit"), rows)
+        for effect in self.findings:
+            if effect.indistinguishable_from:
+                others = ", ".join(effect.indistinguishable_from)
+                yield Text(f"at these poses {effect.name} is indistinguishable from {others}", level=1)
+            for limb, instead in (effect.instead_of_limb or {}).items():
+                which = f"{effect.name}{places.at([int(limb)])} is indistinguishable from one{places.at(instead)}"
+                yield Text(f"at these poses {which}", level=1)
+
+    def _laws(self) -> Iterator[str]:
+        """Yield the laws that were found, the first with its coefficients."""
+        places = self.robot.places
+        for k, law in enumerate(self.laws):
+            for term in law.terms:
+                where = places.at(term.limbs)
+                yield f"{'or' if k else 'law:'} {term.target} moves by {term.expression}{where}"
+                for c in () if k else term.coefficients:
+                    where = "" if c.limb is None else places.at([c.limb])
+                    yield f"  {c.name} = {' +- '.join(rounded(c.value, c.std))} {c.unit}{where}"
 
     def table(self) -> tuple[EffectParameter, ...]:
         """Return the parameters of the effects that were found."""

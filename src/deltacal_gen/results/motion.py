@@ -21,11 +21,10 @@ from deltacal_gen.results.diagnosis import (
     Searched,
     Verdict,
 )
-from deltacal_gen.results.parts import SEEN, Made, Missing, RobotTables, Source
+from deltacal_gen.results.document import Document, Text
+from deltacal_gen.results.parts import SEEN, Made, Missing, RobotTables, Source, put_right
 from deltacal_gen.results.result import OpenCombination, Parameter, Read, Regularisation
-from deltacal_gen.results.study import Suspect
 
-TOLD = 3  # repairs that are told line by line
 ByJoint = tuple[float | None, ...]  # null of a joint that does not move in the recording
 
 
@@ -259,6 +258,11 @@ class MotionModel(Answer):
         """Whether a joint has a law that nobody has registered."""
         return False
 
+    def document(self) -> Document:
+        """Yield headline and table, and what was put right in the recording."""
+        yield from super().document()
+        yield from map(Text, put_right(self.motion.repairs))
+
 
 class MotionResult(MotionModel):
     """The rigid machine in motion: contract, second part, section 8."""
@@ -423,6 +427,10 @@ class MotionValidation(Answer):
         law = f"{self.outside_law} samples lie outside the range in which the law was found" if self.outside_law else ""
         return tuple(words for words in (SEEN if self.seen else "", law, not_shown(self.unshown_by_joint)) if words)
 
+    def document(self) -> Document:
+        """Yield the error, and what is said of it."""
+        yield from map(Text, (self.headline, *self.told, *put_right(self.repairs)))
+
 
 def not_shown(samples: Sequence[int]) -> str | None:
     """Return in words of which joints a recording asks what that of a model did not show; None where of none."""
@@ -433,12 +441,6 @@ def not_shown(samples: Sequence[int]) -> str | None:
         f"{', '.join(each)}: this movement asks for what the model's recording did not show, and what is foretold is "
         "far less sure there than a reading; in that recording all joints must move at once"
     )
-
-
-def put_right(repairs: Sequence[str]) -> list[str]:
-    """Return in words what was put right in a recording: the first of it, and how much more."""
-    more = len(repairs) - TOLD
-    return [*repairs[:TOLD], *([f"and {more} more that were put right or left out"] if more > 0 else [])]
 
 
 def by_joint(left: Left) -> str:
@@ -452,137 +454,3 @@ def by_limb(each: Iterable[tuple[float | None, str]], digits: int = 4) -> str:
     units = {unit for _, unit in values}
     texts = ["-" if v is None else f"{v:.{digits}g}" + (f" {unit}" if len(units) > 1 else "") for v, unit in values]
     return ", ".join(texts) + (f" {units.pop()}" if len(units) == 1 else "")
-
-
-class ToldParameter(Value):
-    """How well a base parameter is found, in its own unit."""
-
-    name: str
-    combination: str
-    unit: str
-    drawn_std: float
-    std: float
-    """Of estimate minus truth."""
-    bias: float
-    predicted_std: float | None
-    """What the linear problem expects of `std`; null where the trajectory does not tell it."""
-    stated_std: float
-    """What an identification will say."""
-
-
-class TorqueSpread(Value):
-    """What is predicted wrong of a joint's torque on other movements, over all machines, in `unit`."""
-
-    limb: int
-    unit: str
-    before_rms: float
-    """By the bodies of the robot file."""
-    after_rms: float
-    """As identified."""
-    p95: float
-    """Of the machines' own rms, 95 % lie below."""
-    predicted_rms: float | None
-    """What the linear problem expects of `after_rms`; null where the trajectory leaves something open."""
-    readings: int
-    """In motion."""
-
-
-class TorqueAddition(Value):
-    """What a further movement leaves of the errors of the joints that move, by the linear problem."""
-
-    add: str
-    rms_by_joint: ByJoint
-
-
-class MotionStudy(Answer):
-    """STUDY.json of kind torque: what a trajectory will tell of bodies and drives."""
-
-    model: str
-    schema: Literal["deltacal.study/1"] = "deltacal.study/1"
-    robot: RobotTables
-    kind: Literal["torque"]
-    readings: int
-    runs: int
-    sigma_by_joint: tuple[float, ...]
-    unit_by_joint: tuple[str, ...]
-    machines: int
-    seed: int
-    parameters: tuple[ToldParameter, ...]
-    torque: tuple[TorqueSpread, ...]
-    """Of the joints that move."""
-    unidentifiable: tuple[OpenCombination, ...]
-    suspects: tuple[Suspect, ...]
-    channels_wanted: tuple[Missing, ...]
-    add: tuple[TorqueAddition, ...]
-    notes: tuple[str, ...]
-    """Limits that were assumed."""
-
-    @property
-    def headline(self) -> str:
-        """What is predicted wrong, joint by joint."""
-        before = by_limb(((t.before_rms, t.unit) for t in self.torque), 3)
-        after = by_limb(((t.after_rms, t.unit) for t in self.torque), 3)
-        return f"{self.model}: torques off by {before} as drawn, {after} identified ({self.machines} machines)"
-
-    def table(self) -> tuple[ToldParameter, ...]:
-        """Return how well each base parameter is found."""
-        return self.parameters
-
-
-class JointSeries(Value):
-    """A joint's movement in one run: its speed is the sum of cosine_k cos(2 pi k t / period) and sine_k sin of that."""
-
-    run: int
-    joint: int
-    unit: str
-    """Of the place; the others are speeds, per second."""
-    centre: float
-    """Where it begins and ends."""
-    cosine: tuple[float, ...]
-    sine: tuple[float, ...]
-
-
-class MotionPlan(Answer):
-    """PLAN.json of kind torque: exciting trajectories. Figures stand run by run, each with those before it."""
-
-    schema: Literal["deltacal.plan/1"] = "deltacal.plan/1"
-    robot: str
-    mechanism: str
-    model: str
-    kind: Literal["torque"]
-    method: Literal["fourier"]
-    parameters: tuple[str, ...]
-    """What is to be told: base parameters, dry and viscous friction of every joint."""
-    runs: int
-    period_s: float
-    harmonics: int
-    rate_Hz: float
-    n: tuple[int, ...]
-    readings: tuple[int, ...]
-    condition: tuple[float | None, ...]
-    """Columns of one size, torques by what each joint gives at most; null where it is infinite."""
-    log_determinant: float
-    O1: tuple[float, ...]
-    O2: tuple[float, ...]
-    O3: tuple[float, ...]
-    O4: tuple[float, ...]
-    O5: tuple[float, ...]
-    chosen: int
-    series: tuple[JointSeries, ...]
-    notes: tuple[str, ...]
-    """Limits that were assumed."""
-
-    @property
-    def headline(self) -> str:
-        """How many movements, and how well they tell."""
-        last = self.condition[-1]
-        told = "infinite" if last is None else f"{last:.3g}"
-        return f"{self.runs} runs of {self.period_s:g} s for {self.model}: condition number {told}"
-
-    def table(self) -> tuple[JointSeries, ...]:
-        """Return the series."""
-        return self.series
-
-    def summary(self) -> str:
-        """Return the answer as text."""
-        return self.headline

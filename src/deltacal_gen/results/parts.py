@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from enum import StrEnum
 from typing import Any, ClassVar, Literal
 
 from deltacal_gen.results.base import Numbers, Rows, Value, Vector
+from deltacal_gen.results.document import decimals
+from deltacal_gen.results.places import Places, part_named
 
+MOST_REPAIRS = 3  # that are shown line by line
 SEEN = "the calibration was made of these very readings: they are no check of it"
 Table = dict[str, Any]  # of a robot file; which keys it has, the mechanism says: `robot.robot_from_dict` checks them
 
@@ -43,6 +47,13 @@ class RobotTables(Value, closed=True):
     errors: dict[str, float] | None = None
     """Actual minus [geometry], by the names of the mechanism's parameters."""
     tolerance: dict[str, float] | None = None
+
+    @property
+    def places(self) -> Places:
+        """What its limbs are called, and which they are."""
+        alone = len(self.joints["sign"]) == 1
+        part = "joint" if alone or self.joint is not None else part_named(self.geometry or ())
+        return Places.of([link["kind"] for link in self.joint or ()], self.robot.name, part)
 
     def __repr__(self) -> str:
         return f"<RobotTables '{self.robot.name}': {self.robot.mechanism}>"
@@ -136,6 +147,13 @@ class Continued(Value):
     heldout_rms_mm: float
     """Of the same, the errors told further by the others."""
 
+    def words(self, places: Places) -> str:
+        """Return which periodic errors are updated, and what that is worth."""
+        return (
+            f"the periodic errors{places.at(self.limbs)} are updated from those of the diagnosis: held-out error "
+            f"{self.held_rms_mm:.3g} mm with its own, {self.heldout_rms_mm:.3g} mm with these readings too"
+        )
+
 
 class InputFile(Value):
     """A file that an answer was made of."""
@@ -192,6 +210,31 @@ class Uncertainty(Value):
     """Of source errors that the model leaves out, by their unit: their size in ordinary ones, or in tolerances."""
     text: str
     """What bands hold, and what not."""
+
+
+def put_right(repairs: Sequence[str]) -> list[str]:
+    """Return in words what was put right in a recording: the first of it, and how much more."""
+    more = len(repairs) - MOST_REPAIRS
+    return [*repairs[:MOST_REPAIRS], *([f"and {more} more that were put right or left out"] if more > 0 else [])]
+
+
+def needless(filed: float, heldout: float | None, unit: str = "mm") -> str:
+    """Say that a calibrated machine is no nearer to readings that it has not seen than the robot file's; else nothing.
+
+    Parameters
+    ----------
+    filed, heldout : float
+        Errors of the robot file's machine, and of the calibrated one where readings were held out [unit].
+    unit : str
+    """
+    if heldout is None or not heldout >= filed:
+        return ""
+    return (
+        f"The machine as the robot file has it leaves no more, {decimals(filed)} {unit}, than the calibrated one does "
+        f"of readings that it has not seen, {decimals(heldout)} {unit}: these readings do not show that it wants a "
+        "correction. Where the instrument is surer than that, compare with the recording which point was measured, and "
+        "whether joints and readings of a row belong together."
+    )
 
 
 class NoiseModel(Value):

@@ -5,7 +5,9 @@ from __future__ import annotations
 from typing import Literal
 
 from deltacal_gen.results.base import Answer, Value
+from deltacal_gen.results.document import Document, Table, Text, number
 
+MOST_NOTES = 4  # that are shown
 Method = Literal["rings", "edges", "joints", "singular", "d-optimal"]
 
 
@@ -84,6 +86,30 @@ class Plan(Answer):
         """Return the poses."""
         return self.poses
 
+    def document(self) -> Document:
+        """Yield how well the sets of poses tell, and which was chosen."""
+        yield Text(self.conventions)
+        if self.n:
+            columns = (self.n, self.pose_count, self.rank, self.condition, self.change, self.O1, self.O3)
+            rows = [
+                (
+                    f"{n} <-" if n == self.chosen else str(n),
+                    str(poses),
+                    str(rank),
+                    number(condition),
+                    "-" if change is None else f"{100 * change:.2f} %",
+                    number(o1),
+                    number(o3),
+                )
+                for n, poses, rank, condition, change, o1, o3 in zip(*columns, strict=True)
+            ]
+            yield Table(("n", "poses", "rank", "condition", "change", "O1", "O3"), rows)
+        notes = self.notes or ()
+        yield from (Text(note, level=1) for note in notes[:MOST_NOTES])
+        if len(notes) > MOST_NOTES:
+            yield Text(f"and {len(notes) - MOST_NOTES} more poses likewise", level=1)
+        yield Text(f"chosen: {self.chosen}, {len(self.poses)} poses")
+
     def summary(self) -> str:
         """Return the answer as text, as `print` shows it."""
         return str(self)
@@ -121,3 +147,7 @@ class CyclePlan(Answer):
     def table(self) -> tuple[Visit, ...]:
         """Return the rows."""
         return self.poses
+
+    def document(self) -> Document:
+        """Yield how many rows there are."""
+        yield Text(self.headline)

@@ -43,11 +43,11 @@ ANSWERS = {  # what `schema` says, and the type of it: module and class
     "deltacal.validation/1": ("validation", "Validation"),
 }
 IN_MOTION = {  # the same of recordings in motion
-    "deltacal.diagnosis/1": "MotionDiagnosis",
-    "deltacal.plan/1": "MotionPlan",
-    "deltacal.result/1": "MotionResult",
-    "deltacal.study/1": "MotionStudy",
-    "deltacal.validation/1": "MotionValidation",
+    "deltacal.diagnosis/1": ("motion", "MotionDiagnosis"),
+    "deltacal.plan/1": ("trajectories", "MotionPlan"),
+    "deltacal.result/1": ("motion", "MotionResult"),
+    "deltacal.study/1": ("trajectories", "MotionStudy"),
+    "deltacal.validation/1": ("motion", "MotionValidation"),
 }
 TORQUE: Final = "torque"  # what drives give
 KINDS_IN_MOTION = (TORQUE,)
@@ -64,7 +64,7 @@ MOST_SHOWN = 60  # letters of a value that cannot be used
 
 def type_of(schema: str, *, in_motion: bool = False) -> type[Answer]:
     """Return the type of the answers with a `schema`."""
-    module, name = ("motion", IN_MOTION[schema]) if in_motion else ANSWERS[schema]
+    module, name = (IN_MOTION if in_motion else ANSWERS)[schema]
     found: type[Answer] = getattr(importlib.import_module(f"deltacal_gen.results.{module}"), name)
     return found
 

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from enum import StrEnum
 from typing import ClassVar, Literal
 
-from deltacal_gen.results.base import Answer, Numbers, Value
+from deltacal_gen.results.base import Answer, Numbers, Value, shown_in
+from deltacal_gen.results.document import Document, Table, Text, decimals, number, rounded
 from deltacal_gen.results.parts import (
     Continued,
     InstrumentState,
@@ -17,7 +19,13 @@ from deltacal_gen.results.parts import (
     Source,
     TermState,
     Uncertainty,
+    needless,
+    put_right,
 )
+
+FEW = 0.5  # of the readings: a fit that leaves fewer to judge it by takes a good part of the noise away
+ABOVE_NOISE = 2.0  # chi2 per degree of freedom that no noise of the stated size leaves
+MOST_OPEN, MOST_REMEDIES = 4, 2  # that are shown; the file has all
 
 
 class Status(StrEnum):
@@ -51,6 +59,8 @@ class OpenCombination(Value):
     text: str
     terms: dict[str, float]
     """By parameter, per unit of its own."""
+    meaning: str | None = None
+    """What it does to the machine, in a sentence of geometry; absent where nothing simple is it."""
 
 
 class BaseParameter(Value):
@@ -231,20 +241,123 @@ class Result(Answer):
     @property
     def headline(self) -> str:
         """Errors before and after, and what was found."""
-        unit, length = (self.unit, self.unit_mm) if self.unit and self.unit_mm else ("mm", 1.0)
         count = sum(p.status is Status.IDENTIFIED for p in self.parameters)
-        free = sum(p.status is not Status.FIXED for p in self.parameters)
-        held = "" if self.heldout_rms_mm is None else f", held-out {self.heldout_rms_mm / length:.4g} {unit}"
-        found = (
-            f"{self.model}: {count} of {free} parameters identified; rms {self.before_rms_mm / length:.4g} -> "
-            f"{self.train_rms_mm / length:.4g} {unit}{held} (noise {self.sigma_mm / length:.3g}, {self.sigma_source})"
-        )
+        found = f"{self.model}: {count} of {len(self.table())} parameters identified; {self._errors()}"
         return "; ".join([found, *(f"warning: {words}" for words in self.doubts or ())])
+
+    def _errors(self) -> str:
+        unit, length = shown_in(self)
+        before, after, sigma = (decimals(v / length) for v in (self.before_rms_mm, self.train_rms_mm, self.sigma_mm))
+        held = "" if self.heldout_rms_mm is None else f", held-out {number(self.heldout_rms_mm / length)} {unit}"
+        return f"rms before {before} -> after {after} {unit}{held} (noise {sigma}, {self.sigma_source})"
+
+    @property
+    def flattered(self) -> str:
+        """By how much the residual understates the noise, where there are few readings; else nothing."""
+        unit, length = shown_in(self)
+        return flattered(self.degrees_of_freedom, self.readings.scalars, self.train_rms_mm / length, unit)
+
+    @property
+    def errors_told(self) -> list[str]:
+        """How the errors before and after are to be taken, where not as they are."""
+        (unit, length), held = shown_in(self), self.heldout_rms_mm
+        vain = needless(self.before_rms_mm / length, held and held / length, unit) if self.rank else ""
+        return [said for said in (self.flattered, vain) if said]
+
+    @property
+    def carried_told(self) -> list[str]:
+        """What became of the effects that another session's diagnosis knows."""
+        told = [joint.words for joint in self.never_seen or ()]
+        told += [] if self.continued is None else [self.continued.words(self.robot.places)]
+        told += [
+            f"not held: {e.name} of the diagnosed session: this one lacks {e.missing}"
+            for e in self.physics_not_held or ()
+        ]
+        return [f"{said[0].upper()}{said[1:]}." for said in told]
 
     def table(self) -> tuple[Parameter, ...]:
         """Return the parameters that were free."""
         return tuple(p for p in self.parameters if p.status is not Status.FIXED)
 
+    def document(self) -> Document:
+        """Yield parameters, what is not identifiable, errors before and after, and what is said of them."""
+        yield from map(Text, self.carried_told)
+        rows = [(p.name, *_value(p), p.unit, p.status) for p in self.table()]
+        title = f"{self.model}: parameters, actual minus robot file"
+        yield Table(("parameter", "value", "std", "unit", "status"), rows, title)
+        yield from self._open()
+        if self.gross_errors:
+            yield Text(f"outliers in lines {', '.join(map(str, self.gross_errors))}: they have almost no weight")
+        yield from self._positions()
+        if self.uncertainty is not None and self.uncertainty.left_out:
+            yield Text(self.uncertainty.text)
+        count = sum(p.status is Status.IDENTIFIED for p in self.parameters)
+        yield Text(
+            f", {self.readings.scalars} scalar readings: {self._errors()}",
+            f"{count} of {len(rows)} parameters identified",
+        )
+        yield from map(Text, self.errors_told)
+        if firmware := self.firmware:
+            yield Text(
+                f"for comparison, what firmware fits ({firmware.model}): {decimals(firmware.train_rms_mm)} mm, "
+                f"held-out {number(firmware.heldout_rms_mm)} mm"
+            )
+        chi2 = self.chi2_per_dof
+        if chi2 is not None and chi2 > ABOVE_NOISE and self.sigma_source is not Source.RESIDUAL:
+            yield Text("The residual is above the noise: this geometry does not explain all of these readings.")
+        yield from (Text(doubt, "warning: ") for doubt in self.doubts or ())
+        yield from map(Text, put_right(self.motion.repairs if self.motion else ()))
+
+    def _open(self) -> Iterator[Text]:
+        """Yield which directions the readings leave open, and what would make them identifiable."""
+        shown = self.unidentifiable[:MOST_OPEN]
+        if shown:
+            yield Text("; the robot file's values hold along them:", "Not identifiable from these readings")
+            yield from (Text(f"- {c.meaning or c.text}", level=1) for c in shown)
+        if more := len(self.unidentifiable) - len(shown):
+            yield Text(f"- and {more} more, in the result file", level=1)
+        for m in self.next_measurements[:MOST_REMEDIES]:
+            pins = "" if m.open_mm is not None else f" would make {m.pins} of the {m.of} free directions identifiable"
+            yield Text(f"+ {m.measurement}{pins}", level=1)
+
+    def _positions(self) -> Iterator[Text | Table]:
+        if a := self.accuracy:
+            stages = ((a.before, "robot file"), (a.rough, "encoder offsets"), (a.after, self.model))
+            told = [(name, f"{s.distance_mm:.3f}", f"{s.volumetric_mm:.3f}") for s, name in stages if s is not None]
+            yield Table(("largest error relative to home", "distance, mm", "volumetric, mm"), told)
+        if w := self.workspace:
+            yield Text(
+                f"standard uncertainty of the tool position over the workspace: median {w.median_mm:.3f} mm, largest "
+                f"{w.worst_mm:.3f} mm"
+            )
+
     def summary(self) -> str:
         """Return the answer as text, as `print` shows it."""
         return str(self)
+
+
+def _value(p: Parameter) -> tuple[str, str]:
+    return (f"{p.value:.4f}", "-") if p.std is None else rounded(p.value, p.std)
+
+
+def flattered(left: float | None, readings: int, rms: float, unit: str = "mm") -> str:
+    """Say by how much the residual of a fit understates the noise, where its readings are few; else nothing.
+
+    Parameters
+    ----------
+    left : float or None
+        Degrees of freedom: readings less parameters.
+    rms : float
+        Of the residual [unit].
+    unit : str
+    """
+    if left is None or left > FEW * readings:
+        return ""
+    said = f"{readings} readings less {readings - left:.3g} parameters leave {max(left, 0):.3g} degrees of freedom"
+    if left < 1:
+        return f"{said}: the residual of {rms:.3g} {unit} says nothing of the noise."
+    part = (left / readings) ** 0.5
+    return (
+        f"{said}: noise of {rms / part:.3g} {unit} leaves a residual of {rms:.3g} {unit}, "
+        f"and the next session of an unchanged machine, predicted from this one, at least {1 / part:.2g} times as much."
+    )

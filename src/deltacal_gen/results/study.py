@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any, Literal
 
 from deltacal_gen.results.base import Answer, Counts, Numbers, Value, shown_in
+from deltacal_gen.results.document import Document, Table, Text, number
 from deltacal_gen.results.parts import EffectName, Missing, RobotTables
+from deltacal_gen.results.places import Places
 
 
 class StudyParameter(Value):
@@ -42,6 +44,12 @@ class Spread(Value):
     histogram: Histogram
     predicted_rms_mm: float | None = None
 
+    @property
+    def cells(self) -> tuple[str, ...]:
+        """Its figures as a row of a table."""
+        predicted = "" if self.predicted_rms_mm is None else f"{self.predicted_rms_mm:.4f}"
+        return f"{self.rms_mm:.4f}", f"{self.p95_mm:.4f}", f"{self.worst_p95_mm:.4f}", predicted
+
 
 class Position(Value):
     """The position over the workspace, as built and calibrated."""
@@ -70,6 +78,21 @@ class Suspect(Value):
     after_mm: float | None
     next: tuple[str, ...]
     failed: tuple[str, ...]
+
+
+def suspected(
+    suspects: Sequence[Suspect], wanted: Sequence[Missing], places: Places, part: str | None = None
+) -> Iterator[Text]:
+    """Yield how often what was concealed was named, and what cannot be found without which channel."""
+    for s in suspects:
+        words = " and ".join(f"{e.name}{places.at(e.limbs, part)}" for e in s.effects) or "nothing"
+        low, high = s.interval
+        yield Text(
+            f"{words} concealed: said so in {s.named_right} of {s.recordings} recordings "
+            f"(95 %: {low:.0%} to {high:.0%})"
+        )
+        yield from (Text(f"not simulated: {why}", level=1) for why in s.failed)
+    yield from (Text(f"{c.name} cannot be found without {c.missing}") for c in wanted)
 
 
 class Times(Value):
@@ -158,6 +181,29 @@ class Study(Answer):
     def table(self) -> tuple[StudyParameter, ...]:
         """Return how well each parameter is found."""
         return self.parameters
+
+    def document(self) -> Document:
+        """Yield errors, parameters, suspects, and what more measuring would bring."""
+        position, advice = self.position, self.advice
+        told = suspected(self.suspects, self.channels_wanted, self.robot.places)
+        if position is None or advice is None:
+            yield Text(f"{self.model}: these readings see no source error; noise {self.noise_told}")
+            yield from told
+            return
+        head = ("position over the workspace, mm", "rms", "95 % of machines", "largest, 95 %", "predicted rms")
+        stages = ((position.before, "as built"), (position.after, f"calibrated, {self.model}"))
+        yield Table(head, [(words, *spread.cells) for spread, words in stages])
+        known = [
+            (q.name, *(number(v, 3) for v in (q.drawn_std, q.std, q.predicted_std)), q.unit) for q in self.parameters
+        ]
+        yield Table(("parameter", "drawn", "std", "predicted", "unit"), known)
+        yield from told
+        if self.unit is not None or self.turn_sigma_deg is not None:
+            yield Text(f"The noise of each coordinate is {self.noise_told}.")
+        yield Text(f"Twice the readings reduce the error by {advice.doubling:.0%}.")
+        yield from (Text(f"{g.add}: {g.gain:.0%} less") for g in advice.add)
+        if self.lost:
+            yield Text(f"{self.lost} machines could not be simulated or calibrated, and are not counted")
 
     def summary(self) -> str:
         """Return the answer as text, as `print` shows it."""

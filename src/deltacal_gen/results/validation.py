@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import Literal
 
-from deltacal_gen.results.base import Answer, Value
-from deltacal_gen.results.parts import SEEN, Made, NeverSeen
+from deltacal_gen.results.base import Answer, Value, shown_in
+from deltacal_gen.results.document import Document, Text, decimals
+from deltacal_gen.results.parts import SEEN, Made, NeverSeen, put_right
 
 
 class Row(Value):
@@ -27,6 +28,15 @@ class Iso9283(Value):
     AD_max_mm: float | None = None
     RD_max_mm: float | None = None
     note: str
+
+    @property
+    def words(self) -> str:
+        """Its figures in a sentence."""
+        ap, worst_ap, rp, worst_rp = map(decimals, (self.AP_mean_mm, self.AP_max_mm, self.RP_mean_mm, self.RP_max_mm))
+        return (
+            f"ISO 9283, {self.poses} poses: accuracy AP {ap} mm (largest {worst_ap}), repeatability RP {rp} mm "
+            f"(largest {worst_rp})"
+        )
 
 
 class AxisPlace(Value):
@@ -54,6 +64,17 @@ class Iso230(Value):
     places: tuple[AxisPlace, ...] = ()
     """Position by position, the lowest first."""
     note: str
+
+    @property
+    def words(self) -> str:
+        """Its figures in a sentence."""
+        accuracy, error, repeats, reversal, mean = map(
+            decimals, (self.A_mm, self.E_mm, self.R_mm, self.B_mm, self.M_mm)
+        )
+        return (
+            f"ISO 230-2, {self.poses} positions from both sides, mm: accuracy A {accuracy}, systematic E {error}, "
+            f"repeatability R {repeats}, reversal B {reversal}, mean M {mean}"
+        )
 
 
 class Placed(Value):
@@ -142,7 +163,7 @@ class Validation(Answer):
     @property
     def headline(self) -> str:
         """The error against the noise."""
-        unit, length = self._shown
+        unit, length = shown_in(self)
         return (
             f"{self.readings} readings: rms {self.rms_mm / length:.4g} {unit}, largest {self.worst_mm / length:.4g} "
             f"{unit} (noise {self.sigma_mm / length:.3g} {unit})"
@@ -163,12 +184,8 @@ class Validation(Answer):
             *(joint.beyond_words for joint in self.beyond_waves or ()),
         )
 
-    @property
-    def _shown(self) -> tuple[str, float]:
-        return (self.unit, self.unit_mm) if self.unit and self.unit_mm else ("mm", 1.0)
-
     def _of_apart(self, far: Apart) -> str:
-        unit, length = self._shown
+        unit, length = shown_in(self)
         lines = f"line{'s' if len(far.lines) > 1 else ''} {', '.join(map(str, far.lines))}"
         return (
             f"{lines}: more than three times as far off as any other reading, which no machine does without a cause: "
@@ -179,6 +196,15 @@ class Validation(Answer):
     def table(self) -> tuple[Row, ...]:
         """Return the worst readings."""
         return self.rows
+
+    def document(self) -> Document:
+        """Yield the error against the noise, what is said of it, and the figures of ISO 9283 and ISO 230-2."""
+        yield from map(Text, (self.headline, *self.told))
+        if self.iso9283 is not None:
+            yield Text(self.iso9283.words)
+        if self.iso230 is not None:
+            yield Text(self.iso230.words)
+        yield from map(Text, put_right(self.repairs or ()))
 
     def summary(self) -> str:
         """Return the answer as text, as `print` shows it."""

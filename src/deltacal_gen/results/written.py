@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Literal
 
 from deltacal_gen.results.base import Answer, Rows, Value
+from deltacal_gen.results.document import Document, Table, Text, decimals
 
 
 class Simulated(Answer):
@@ -70,6 +72,27 @@ class FirmwareLines(Value):
     values: tuple[FirmwareValue, ...]
     not_carried: tuple[str, ...]
 
+    def document(self) -> Iterator[Text | Table]:
+        """Yield the firmware's numbers as they are and as they are to be, and the errors with either."""
+        rows = [(v.name, f"{v.before:.4f}", f"{v.after:.4f}", v.unit) for v in self.values]
+        shown = [("error on the bed", "bed"), ("lateral error", "lateral")]
+        for name, key in shown[: 1 if self.heights_alone else 2]:
+            for figure in ("rms", "worst"):
+                now, new = (decimals(getattr(left, f"{key}_{figure}_mm")) for left in (self.before, self.after))
+                rows.append((f"{name}, {figure}", now, new, "mm"))
+        yield Table((self.kind, "in the file now", "new", "unit"), rows)
+        least = "least over the bed" if self.heights_alone else "least over bed and volume"
+        how = "a fit of the firmware's own numbers to the readings" if self.by_readings else least
+        where = "the printed bed" if self.heights_alone else "the printed volume"
+        yield Text(f"errors are those of the calibrated machine over {where}; the lines are {how}")
+        if self.heights_alone:
+            yield Text(
+                "heights alone do not determine how far prints are off across the bed: identify says what to measure"
+            )
+        if self.not_carried:
+            names = ", ".join(note.partition(" = ")[0] for note in self.not_carried)
+            yield Text(f"not carried by the lines, with their sizes in the file: {names}")
+
 
 class Joints(Answer):
     """Commands of `compensate`, in deg or mm."""
@@ -81,6 +104,12 @@ class Joints(Answer):
     assumed: tuple[str, ...]
     """What was assumed where a channel was not given."""
     firmware: FirmwareLines | None = None
+
+    def document(self) -> Document:
+        """Yield the lines of a firmware if there are any, and what was assumed."""
+        if self.firmware is not None:
+            yield from self.firmware.document()
+        yield from (Text(words, level=1) for words in self.assumed)
 
 
 class FedForward(Answer):
@@ -133,6 +162,18 @@ class Runs(Value):
     command: str
     """What plans movements of other lengths or rates."""
 
+    def document(self, file: str | None) -> Iterator[Text]:
+        """Yield which runs are to be recorded."""
+        for n, (name, period) in enumerate(zip(self.runs, self.period_s, strict=True)):
+            carried = "" if self.payload_kg is None else f", with {self.payload_kg[n]:g} kg"
+            yield Text(f"{name}: {period:g} s{carried}", level=1)
+        yield from (Text(note, level=1) for note in self.notes)
+        yield Text(
+            f"{len(self.runs)} runs written to {file}: let the machine follow them, record what its drives give, "
+            "append it, diagnose again"
+        )
+        yield Text(f"other lengths or rates: {self.command}")
+
 
 class Experiment(Answer):
     """Rows of `next`; of a machine in motion its runs, whose rows are in the file alone."""
@@ -145,6 +186,18 @@ class Experiment(Answer):
     advice: tuple[str, ...]
     """What no poses settle, in words."""
     motion: Runs | None = None
+
+    def document(self) -> Document:
+        """Yield the open questions, what no poses settle, and what to do with the file."""
+        for asked in self.questions:
+            yield Text(f"{asked.rows} rows: {asked.why} (expected difference in chi2: {asked.expected_chi2:.0f})")
+        yield from (Text(words, level=1) for words in self.advice)
+        if self.motion is not None:
+            yield from self.motion.document(self.file)
+        elif self.poses:
+            yield Text(f"{len(self.poses)} rows written to {self.file}: measure them, append them, diagnose again")
+        else:
+            yield Text("nothing is open that poses could settle; no file was written")
 
 
 class Imported(Answer):

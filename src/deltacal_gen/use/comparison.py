@@ -14,20 +14,17 @@ import numpy as np
 
 from deltacal_gen.errors import InputError
 from deltacal_gen.files.robot import Robot, robot_of
-from deltacal_gen.identification import carried
 from deltacal_gen.identification.accuracy import check_joints
 from deltacal_gen.machine.differences import between
 from deltacal_gen.machine.registry import SOLVED, mechanism_of
 from deltacal_gen.machine.rotation import align
-from deltacal_gen.results.base import shown_in
 from deltacal_gen.results.comparison import Change, Comparison, Moved
+from deltacal_gen.results.document import rounded
 from deltacal_gen.results.motion import MotionDiagnosis, MotionResult, TorqueEffect
 from deltacal_gen.results.parts import RobotTables
 from deltacal_gen.results.result import Parameter, Result, Status
-from deltacal_gen.results.shown import needless, rounded
 from deltacal_gen.units import file_unit, to_internal
 
-FEW = 0.5  # of the readings: a fit that leaves fewer to judge it by takes a good part of the noise away
 ROUNDED = 0.01  # by which factors of a combination may differ, of its largest: the poses of two sessions do
 CHANCE = 0.01  # that noise alone makes any of all parameters look changed
 
@@ -97,7 +94,7 @@ def compare(before: Calibration, after: Calibration) -> Comparison:
     new, old = _told_apart(combined, limit)
     moved = _moved(first, second)
     fits = [r for r in (before, after) if isinstance(r, Result)]
-    said = [_flattered(r) for r in fits]
+    said = [r.flattered for r in fits]
     summary = _summary(moved, new if combined else changed, old if combined else unchanged, len(unknown), limit)
     return Comparison(
         summary=" ".join([summary, *filter(None, said)]),
@@ -250,50 +247,4 @@ def _summary(moved: Moved | None, changed: Sequence[Change], same: Sequence[Chan
     return (
         f"Over its workspace the machine moved by {moved.rms_mm:.4f} mm rms, by {moved.worst_mm:.4f} mm at worst, at "
         f"({at}) mm. {text}."
-    )
-
-
-def _flattered(found: Result) -> str:
-    unit, length = shown_in(found)
-    return flattered(found.degrees_of_freedom, found.readings.scalars, found.train_rms_mm / length, unit)
-
-
-def said_of_carried(found: Result) -> list[str]:
-    """Return what became of the effects that another session's diagnosis knows."""
-    told = [joint.words for joint in found.never_seen or ()]
-    told += [] if found.continued is None else [carried.words(found.continued, robot_of(found.robot))]
-    lost = [
-        f"not held: {e.name} of the diagnosed session: this one lacks {e.missing}" for e in found.physics_not_held or ()
-    ]
-    return [f"{said[0].upper()}{said[1:]}." for said in told + lost]
-
-
-def said_of_errors(found: Result) -> list[str]:
-    """Return how the errors of a result before and after are to be taken, where not as they are."""
-    (unit, length), held = shown_in(found), found.heldout_rms_mm
-    few = flattered(found.degrees_of_freedom, found.readings.scalars, found.train_rms_mm / length, unit)
-    vain = needless(found.before_rms_mm / length, held and held / length, unit) if found.rank else ""
-    return [said for said in (few, vain) if said]
-
-
-def flattered(left: float | None, readings: int, rms: float, unit: str = "mm") -> str:
-    """Say by how much the residual of a fit understates the noise, where its readings are few; else nothing.
-
-    Parameters
-    ----------
-    left : float or None
-        Degrees of freedom: readings less parameters.
-    rms : float
-        Of the residual [unit].
-    unit : str
-    """
-    if left is None or left > FEW * readings:
-        return ""
-    said = f"{readings} readings less {readings - left:.3g} parameters leave {max(left, 0):.3g} degrees of freedom"
-    if left < 1:
-        return f"{said}: the residual of {rms:.3g} {unit} says nothing of the noise."
-    part = float(np.sqrt(left / readings))
-    return (
-        f"{said}: noise of {rms / part:.3g} {unit} leaves a residual of {rms:.3g} {unit}, "
-        f"and the next session of an unchanged machine, predicted from this one, at least {1 / part:.2g} times as much."
     )

@@ -20,6 +20,12 @@ NEARLY = 0.1  # of what a combination moves on a bed: the most that is left of a
 SHARE = 0.05  # of a motion: a shift or a turn that makes less of it is not told
 
 
+def explained(found: Result) -> Result:
+    """Return a result whose open combinations carry what they do to the machine, where that is simple."""
+    each = zip(found.unidentifiable, sentences(found), strict=True)
+    return found.replace(unidentifiable=tuple(c.replace(meaning=said) if said else c for c, said in each))
+
+
 def sentences(found: Result) -> list[str]:
     """Return for each combination that is not seen what it does to the machine; "" where nothing simple is it.
 

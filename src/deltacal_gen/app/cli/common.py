@@ -101,19 +101,24 @@ def print_json(answer: Answer | Sequence[Answer]) -> None:
     sys.stdout.write(json.dumps(plain(answer), indent=1, allow_nan=False) + "\n")
 
 
-def show_any(found: Any, shown: Callable[[Any], None]) -> None:
-    """Print an answer: by its own function, or as text where it is one in motion."""
-    from deltacal_gen.results.motion import MotionModel, MotionValidation, put_right
+def show(answer: Answer) -> None:
+    """Print an answer as a person reads it."""
+    from rich.table import Table
+    from rich.text import Text
 
-    if isinstance(found, MotionModel | MotionValidation):
-        screen.print(escaped(str(found)))
-        for words in found.told if isinstance(found, MotionValidation) else ():
-            screen.print(escaped(words))
-    else:
-        shown(found)
-    told = getattr(found, "motion", None) or found
-    for words in put_right(getattr(told, "repairs", None) or ()):
-        screen.print(escaped(words))
+    from deltacal_gen.results import document
+
+    for part in answer.document():
+        if isinstance(part, document.Text):
+            words = Text("  " * part.level).append(part.lead, "bold").append(part.words)
+            screen.print(words, markup=False)
+            continue
+        table = Table(title=part.title or None, title_justify="left")
+        for head, numeric in zip(part.head, part.numeric or [False] * len(part.head), strict=True):
+            table.add_column(head, justify="right" if numeric else "left", overflow="fold")
+        for row in part.rows:
+            table.add_row(*map(escaped, row))
+        screen.print(table)
 
 
 def number(value: float | None, digits: int = 4) -> str:

@@ -3,28 +3,23 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, cast
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
-from rich.table import Table
 
 from deltacal_gen.app.cli.common import (
     Decimal,
     Json,
     RobotFile,
-    escaped,
-    number,
     output_file,
     print_json,
     screen,
+    show,
 )
 
-MOST_NOTES = 4  # on the screen
 if TYPE_CHECKING:
     from deltacal_gen.machine.values import Recording
-    from deltacal_gen.results.motion import MotionPlan
-    from deltacal_gen.results.plan import CyclePlan, Plan
-    from deltacal_gen.results.written import Runs
+    from deltacal_gen.results.base import Answer
 
 
 Measured = Annotated[
@@ -121,7 +116,7 @@ def plan(
             kind=kind,
             **series,
         )
-        _show_trajectory(cast("MotionPlan", moving), output, as_json)
+        _show_plan(moving, output, as_json)
         return
     kind = kind or (None if gauge is None else MOUNTED)
     options: dict[str, Any] = {"kind": kind, "tools": points, "scaling": scaling, "norm": norm, "sigma_mm": sigma}
@@ -131,63 +126,19 @@ def plan(
         options |= {"layers": layers.split(",")} if layers else {}
         options |= {"gauge": gauge} if gauge else {}
     options |= {"positions": positions, "cycles": cycles, "sidecar": sidecar}
-    found = cast("Plan", commands.plan(robot, model, output, optimal=optimal, picture=picture, **options))
+    _show_plan(commands.plan(robot, model, output, optimal=optimal, picture=picture, **options), output, as_json)
+
+
+def _show_plan(found: Answer, output: Path | None, as_json: bool) -> None:
+    """Print a plan, and what its file holds."""
     if as_json:
         print_json(found)
         return
-    what = _show_plan(found)
+    show(found)
     if output is not None:
-        screen.print(f"{len(found.poses)} {what} written to {output}")
-
-
-def _show_trajectory(found: MotionPlan, output: Path | None, as_json: bool) -> None:
-    """Print what exciting trajectories tell."""
-    if as_json:
-        print_json(found)
-        return
-    screen.print(escaped(found.headline))
-    table = Table("runs", "readings", "condition", "O1", "O3")
-    for n, readings, condition, o1, o3 in zip(
-        found.n, found.readings, found.condition, found.O1, found.O3, strict=True
-    ):
-        table.add_row(str(n), str(readings), number(condition), number(o1), number(o3))
-    screen.print(table)
-    for note in found.notes:
-        screen.print(f"  {escaped(note)}")
-    if output is not None:
-        screen.print(f"{len(found.n)} runs written to {output}")
-
-
-def _show_plan(found: Plan | CyclePlan) -> str:
-    """Print a plan; return what its file holds."""
-    from deltacal_gen.results.plan import CyclePlan
-
-    if isinstance(found, CyclePlan):
-        screen.print(found.headline)
-        return "rows"
-    screen.print(found.conventions)
-    if found.n:
-        table = Table("n", "poses", "rank", "condition", "change", "O1", "O3")
-        for j, n in enumerate(found.n):
-            mark = " <-" if n == found.chosen else ""
-            change = found.change[j]
-            table.add_row(
-                f"{n}{mark}",
-                str(found.pose_count[j]),
-                str(found.rank[j]),
-                number(found.condition[j]),
-                "-" if change is None else f"{100 * change:.2f} %",
-                number(found.O1[j]),
-                number(found.O3[j]),
-            )
-        screen.print(table)
-    notes = found.notes or ()
-    for note in notes[:MOST_NOTES]:
-        screen.print(f"  {note}")
-    if len(notes) > MOST_NOTES:
-        screen.print(f"  and {len(notes) - MOST_NOTES} more poses likewise")
-    screen.print(f"chosen: {found.chosen}, {len(found.poses)} poses")
-    return "targets"
+        what = "targets" if found["schema"] == "deltacal.plan/1" else "rows"
+        written = f"{len(found['n'])} runs" if "series" in found else f"{len(found['poses'])} {what}"
+        screen.print(f"{written} written to {output}")
 
 
 def simulate(
@@ -249,29 +200,6 @@ def next_(
     if as_json:
         print_json(found)
     else:
-        for asked in found.questions:
-            screen.print(f"{asked.rows} rows: {asked.why} (expected difference in chi2: {asked.expected_chi2:.0f})")
-        for words in found.advice:
-            screen.print(f"  {escaped(words)}")
-        if found.motion is not None:
-            _show_runs(found.motion, output)
-        elif found.poses:
-            screen.print(f"{len(found.poses)} rows written to {output}: measure them, append them, diagnose again")
-        else:
-            screen.print("nothing is open that poses could settle; no file was written")
+        show(found)
     if not found.poses and found.motion is None:
         raise typer.Exit(1)
-
-
-def _show_runs(found: Runs, output: Path | None) -> None:
-    """Print which runs of a machine in motion are to be recorded."""
-    for n, (name, period) in enumerate(zip(found.runs, found.period_s, strict=True)):
-        carried = "" if found.payload_kg is None else f", with {found.payload_kg[n]:g} kg"
-        screen.print(f"  {name}: {period:g} s{carried}")
-    for note in found.notes:
-        screen.print(f"  {escaped(note)}")
-    screen.print(
-        f"{len(found.runs)} runs written to {output}: let the machine follow them, record what its drives give, append "
-        "it, diagnose again"
-    )
-    screen.print(f"other lengths or rates: {escaped(found.command)}")

@@ -7,10 +7,8 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
-from rich.table import Table
 
-from deltacal_gen.app.cli.calibration import show_diagnosis
-from deltacal_gen.app.cli.common import Json, number, print_json, progress, screen
+from deltacal_gen.app.cli.common import Json, print_json, progress, screen, show
 
 
 def demo(
@@ -19,37 +17,13 @@ def demo(
 ) -> None:
     """Run the main job end to end on an embedded recording with a concealed effect."""
     from deltacal_gen.app import commands
-    from deltacal_gen.files.robot import robot_of
-    from deltacal_gen.machine.places import at
 
     with progress(as_json) as tell:
         found = commands.demo(output, tell)
     if as_json:
         print_json(found)
-        return
-    result, diagnosis = found.result, found.diagnosis
-    screen.print(
-        f"[bold]1. Geometry alone[/bold], {result.model}: {result.readings.scalars} scalar readings, "
-        f"held-out error {number(result.heldout_rms_mm)} mm; the instrument's noise is {result.sigma_mm:.4f} mm."
-    )
-    screen.print("[bold]2. Diagnosis[/bold]:", end=" ")
-    show_diagnosis(diagnosis)
-    robot = robot_of(diagnosis.robot)
-    told = "; ".join(
-        f"{t.name}{at(robot, [p.limb] if p.limb else ())}, {p.name} {p.value:g} {p.unit}"
-        for t in found.truth
-        for p in t.parameters
-    )
-    screen.print(f"[bold]3. The truth[/bold], read only now: {told}.")
-    screen.print("The true machine, commanded by each model of it, with payloads and in directions drawn at random:")
-    table = Table("commanded by", f"rms of {found.check[0].poses} poses, mm", "largest, mm")
-    for row in found.check:
-        table.add_row(row.model, f"{row.rms_mm:.4f}", f"{row.worst_mm:.4f}")
-    screen.print(table)
-    files = found.files
-    screen.print(f"Open {files['diagnosis.html']} (picture: {files['diagnosis.svg']}).")
-    screen.print(f"Commands for the controller are in {files['command.c']}; for targets of your own:")
-    screen.print(f"  deltacal compensate {files['diagnosis.json']} TARGETS.csv -o JOINTS.csv")
+    else:
+        show(found)
 
 
 def manual(

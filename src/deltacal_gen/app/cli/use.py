@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
-from rich.table import Table
 
 from deltacal_gen.app.cli.common import (
     Decimal,
@@ -14,21 +13,12 @@ from deltacal_gen.app.cli.common import (
     RecordingFile,
     ResultFile,
     escaped,
-    number,
     output_file,
     print_json,
     screen,
-    show_any,
+    show,
 )
 from deltacal_gen.errors import UsageError
-from deltacal_gen.results.base import shown_in
-from deltacal_gen.results.shown import decimals
-
-MOST_NAMES = 8  # of parameters in a line on the screen
-if TYPE_CHECKING:
-    from deltacal_gen.results.validation import Validation
-    from deltacal_gen.results.written import FirmwareLines
-
 
 Trajectory = Annotated[
     bool, typer.Option("--trajectory", help="TARGETS are samples in time: joints and torques, of a result in motion")
@@ -74,18 +64,19 @@ def compensate(
         import numpy as np
 
         lines = commands.firmware_lines(result, export, output, tell=assumed.append)
+        found = Joints(kind=kind, export=export, joints=np.zeros((0, 3)), assumed=tuple(assumed), firmware=lines)
         if as_json:
-            print_json(
-                Joints(kind=kind, export=export, joints=np.zeros((0, 3)), assumed=tuple(assumed), firmware=lines)
-            )
+            print_json(found)
         else:
-            _show_lines(lines, output, assumed)
+            show(found)
+            screen.print(f"{lines.kind} lines written to {output}")
         return
     joints = commands.compensate(
         result, targets, output, kind=kind, export=export, worst_mm=worst, bands=bands, tell=assumed.append
     )
+    found = Joints(kind=kind, export=export, joints=joints, assumed=tuple(assumed))
     if as_json:
-        print_json(Joints(kind=kind, export=export, joints=joints, assumed=tuple(assumed)))
+        print_json(found)
         return
     if export is not None:
         screen.print(f"{kind} compensator written to {output}; what it leaves is stated in the file")
@@ -94,8 +85,7 @@ def compensate(
     else:
         for row in joints:
             screen.print("  ".join(f"{v:12.6f}" for v in row))
-    for words in assumed:
-        screen.print(f"  {escaped(words)}")
+    show(found)
 
 
 def _feed_forward(result: Path, trajectory: Path, output: Path | None, as_json: bool) -> None:
@@ -117,32 +107,6 @@ def _feed_forward(result: Path, trajectory: Path, output: Path | None, as_json: 
         screen.print(f"{len(done.torque)} samples with joints and torques written to {output}")
     for words in told:
         screen.print(f"  {escaped(words)}")
-
-
-def _show_lines(lines: FirmwareLines, output: Path, told: list[str]) -> None:
-    """Print a firmware's numbers as they are and as they are to be, and what either leave."""
-    table = Table(lines.kind, "in the file now", "new", "unit")
-    for v in lines.values:
-        table.add_row(v.name, f"{v.before:.4f}", f"{v.after:.4f}", v.unit)
-    table.add_section()
-    shown = [("error on the bed", "bed"), ("lateral error", "lateral")]
-    for name, key in shown[: 1 if lines.heights_alone else 2]:
-        for figure in ("rms", "worst"):
-            now, new = (getattr(left, f"{key}_{figure}_mm") for left in (lines.before, lines.after))
-            table.add_row(f"{name}, {figure}", decimals(now), decimals(new), "mm")
-    screen.print(table)
-    least = "least over the bed" if lines.heights_alone else "least over bed and volume"
-    how = "a fit of the firmware's own numbers to the readings" if lines.by_readings else least
-    where = "the printed bed" if lines.heights_alone else "the printed volume"
-    screen.print(f"errors are those of the calibrated machine over {where}; the lines are {how}")
-    if lines.heights_alone:
-        screen.print("heights alone do not say how far prints are off across the bed: identify says what to measure")
-    if lines.not_carried:
-        names = ", ".join(note.partition(" = ")[0] for note in lines.not_carried)
-        screen.print(f"not carried by the lines, with their sizes in the file: {escaped(names)}")
-    for words in told:
-        screen.print(f"  {escaped(words)}")
-    screen.print(f"{lines.kind} lines written to {output}")
 
 
 def predict(
@@ -206,25 +170,7 @@ def validate(
     if as_json:
         print_json(found)
         return
-    show_any(found, _show_validation)
-
-
-def _show_validation(found: Validation) -> None:
-    """Print the error against the noise, and what is said of it."""
-    for words in (found.headline, *found.told):
-        screen.print(escaped(words))
-    if (iso := found.iso9283) is not None:
-        screen.print(
-            f"ISO 9283, {iso.poses} poses: accuracy AP {decimals(iso.AP_mean_mm)} mm (largest "
-            f"{decimals(iso.AP_max_mm)}), repeatability RP {decimals(iso.RP_mean_mm)} mm "
-            f"(largest {decimals(iso.RP_max_mm)})"
-        )
-    if (axis := found.iso230) is not None:
-        screen.print(
-            f"ISO 230-2, {axis.poses} positions from both sides, mm: accuracy A {decimals(axis.A_mm)}, "
-            f"systematic E {decimals(axis.E_mm)}, repeatability R {decimals(axis.R_mm)}, reversal B "
-            f"{decimals(axis.B_mm)}, mean M {decimals(axis.M_mm)}"
-        )
+    show(found)
 
 
 def certificate(
@@ -247,13 +193,7 @@ def certificate(
     if as_json:
         print_json(found)
         return
-    unit, length = shown_in(found)
-    table = Table("contribution", "type", unit, "share")
-    for c in found.budget.contributions:
-        table.add_row(c.source, c.evaluation, decimals(c.sigma_mm / length), f"{c.share:.1%}")
-    screen.print(escaped(found.headline))
-    screen.print(table)
-    screen.print(f"{found.budget.within:.0%} of what was read lies within U")
+    show(found)
     screen.print(f"{output} and {output.with_suffix('.xml').name} written")
 
 
@@ -270,19 +210,4 @@ def compare(
     if as_json:
         print_json(found)
         return
-    screen.print(escaped(found.summary))
-    changed, unchanged = found.changed, found.unchanged
-    if found.combinations_changed is not None:
-        changed, unchanged = found.combinations_changed, found.combinations_unchanged or ()
-    table = Table("changed", "before", "after", "change", "std", "unit")
-    for e in changed:
-        table.add_row(e.name, *map(number, (e.before, e.after, e.change, e.std)), e.unit)
-    if changed:
-        screen.print(table)
-    for words, names in (
-        ("unchanged", [e.name for e in unchanged if " " not in e.name]),
-        ("not known one by one", [e.name for e in found.unknown]),
-    ):
-        if names:
-            rest = f" and {len(names) - MOST_NAMES} more" if len(names) > MOST_NAMES else ""
-            screen.print(f"{words}: {', '.join(names[:MOST_NAMES])}{rest}", style="dim")
+    show(found)

@@ -32,6 +32,7 @@ from deltacal_gen.results.result import Firmware, Result
 
 if TYPE_CHECKING:
     from deltacal_gen.estimation.solvers import Solver
+    from deltacal_gen.identification.answer import Identification
     from deltacal_gen.machine.values import Robot
     from deltacal_gen.motion.kinds import Torque
     from deltacal_gen.results.diagnosis import Diagnosis
@@ -100,6 +101,7 @@ def identify(
     from deltacal_gen.use import firmware
     from deltacal_gen.use.known import known_diagnosis
     from deltacal_gen.use.prediction import calibrated_robot, known_effects
+    from deltacal_gen.use.unseen import explained
 
     model = None if model is None else str(model)
     check_output(output, robot, recording, physics)
@@ -123,24 +125,29 @@ def identify(
         machine=None if diagnosis is None else calibrated_robot(diagnosis),
         progress=progress,
     )
-    found = fitted.answer()
+    found = explained(fitted.answer())
     if diagnosis is None and firmware.knows(fitted.fit.problem):
         known = firmware.FROM_HEIGHTS if given.pairs is None else firmware.MODEL
         if found.model != firmware.MODEL and firmware.exceeded_by(found.model):
             progress(f"what firmware would fit: {known}")
-            beside = identification.identify(robot, given, known, solver=solver, robust=robust).answer()
-            found = found.replace(firmware=_as_firmware(beside))
+            of_firmware = identification.identify(robot, given, known, solver=solver, robust=robust).answer()
+            found = found.replace(firmware=_as_firmware(of_firmware))
     if diagnosis is not None and found.continued is None:
         found = found.replace(never_seen=spectrum.never_seen(diagnosis.seen, robot.joint_sign * given.joints))
     found = with_clock(found, clock).replace(made=made(*files, measured=given))
     if output is not None:
         write_json(found, output)
     if report is not None:
-        from deltacal_gen.pages import report as page
-        from deltacal_gen.pages.left import left_by
-
-        write_files({Path(report): page.calibration(found, left_by(fitted.fit, found))})
+        _write_page(found, fitted, report)
     return found
+
+
+def _write_page(found: Result, fitted: Identification, report: Source) -> None:
+    """Write the page of a result."""
+    from deltacal_gen.pages import report as page
+    from deltacal_gen.pages.left import left_by
+
+    write_files({Path(report): page.calibration(found, left_by(fitted.fit, found))})
 
 
 def _as_firmware(found: Result) -> Firmware:

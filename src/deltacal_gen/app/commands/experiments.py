@@ -32,9 +32,10 @@ from deltacal_gen.machine.values import Recording
 if TYPE_CHECKING:
     from deltacal_gen.motion.trajectories import Trajectories
     from deltacal_gen.physics.terms import Term
-    from deltacal_gen.results.motion import MotionDiagnosis, MotionPlan
+    from deltacal_gen.results.motion import MotionDiagnosis
     from deltacal_gen.results.plan import CyclePlan, Plan
     from deltacal_gen.results.reader import Given
+    from deltacal_gen.results.trajectories import MotionPlan
     from deltacal_gen.results.written import Experiment
 
 

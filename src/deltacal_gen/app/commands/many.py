@@ -33,8 +33,8 @@ if TYPE_CHECKING:
     from deltacal_gen.files.robot import Robot
     from deltacal_gen.motion.kinds import Torque
     from deltacal_gen.results.batch import Batch
-    from deltacal_gen.results.motion import MotionStudy
     from deltacal_gen.results.study import Study
+    from deltacal_gen.results.trajectories import MotionStudy
 
 
 def study(
