@@ -1,6 +1,6 @@
 """``python -m derive [NAME ...] [--check]``: derive kernels and write them, or compare them with what is committed.
 
-``python -m derive review NAME -o FILE`` writes a report for reviewers instead, see `derive.review.command`;
+``python -m derive review TASK`` answers for reviewers instead, see `derive.review.command`;
 ``python -m derive verdicts [--check]`` decides what the papers print, see `derive.papers.verdicts`.
 """
 
@@ -9,23 +9,28 @@ from __future__ import annotations
 import argparse
 import sys
 
-from derive.compiler import COMMAND, GENERATED, committed, differences, render, write
-
 
 def main() -> int:
     """Run the build step; return 0, or 1 when `--check` finds a difference, 2 where a name is unknown."""
     if sys.argv[1:2] == ["review"]:
-        from derive.review import command  # needs what the runtime needs
+        from derive.review import command  # needs what the runtime needs, and for claims no SymPy
 
         return command.main(sys.argv[2:])
     if sys.argv[1:2] == ["verdicts"]:
         from derive.papers import verdicts
 
         return verdicts.main(sys.argv[2:])
+    return derive_kernels(sys.argv[1:])
+
+
+def derive_kernels(given: list[str]) -> int:
+    """Derive and write, or compare."""
+    from derive.compiler import COMMAND, GENERATED, committed, differences, render, write
+
     parser = argparse.ArgumentParser(prog="python -m derive", description=__doc__)
     parser.add_argument("names", nargs="*", metavar="NAME", help="of mechanisms, effects, measurements; default: all")
     parser.add_argument("--check", action="store_true", help="write nothing; fail if the committed kernels differ")
-    arguments = parser.parse_args()
+    arguments = parser.parse_args(given)
     try:
         fresh = render(arguments.names)
     except ValueError as error:

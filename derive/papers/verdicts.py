@@ -11,7 +11,7 @@ from pathlib import Path
 
 from derive.papers.statements import Statement, Verdict
 
-FILE = Path(__file__).resolve().parents[2] / "src/deltacal_gen/claims/derived.json"
+FILE = Path(__file__).resolve().parents[1] / "review/claims/derived.json"
 COMMAND = "python -m derive verdicts"
 
 

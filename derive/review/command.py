@@ -1,7 +1,9 @@
-"""``python -m derive review``: write reports of what is derived, or look at a machine that was just derived.
+"""``python -m derive review TASK``: what reviewers ask for, from a checkout.
 
-Standard output is the answer, the files one a line, or why there are none: of an unusable input that is JSON, what an
-`InputError` holds. What is being done goes to standard error. The exit code is that of the error's class.
+Tasks are ``derivation`` (reports of what is derived), ``trial`` (a first look at a machine that was just derived),
+``claims`` (the ledger of the papers' claims) and ``reproduce`` (the tables of a paper). The answer is JSON on standard
+output; of a wrong call it is a text, of an unusable input what an `InputError` holds, and the exit code is that of the
+error's class. Progress goes to standard error.
 """
 
 from __future__ import annotations
@@ -11,30 +13,34 @@ import json
 import sys
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
-from deltacal_gen.errors import DeltacalError, InputError
-from deltacal_gen.files.robot import read_robot
+from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.writing import write_files
 from deltacal_gen.pages import report
-from derive.review import reports
-from derive.review.subjects import subject, subjects
-from derive.review.trial import drawn, told, trial
+from derive.review.sources import PAGES
 
 
 def _tell(what: str) -> None:
     print(what, file=sys.stderr, flush=True)
 
 
-def write(name: str, output: Path) -> list[Path]:
+def write_report(name: str, output: Path) -> list[str]:
     """Write the report of a model, mechanism (its largest model), effect or measurement as a page, or as Markdown."""
+    from derive.review import reports
+    from derive.review.subjects import subject
+
     ((_, template, found),) = reports.made([subject(name)], _tell)
     files = reports.files(output, template, found)
     write_files(files)
-    return list(files)
+    return list(map(str, files))
 
 
-def write_all(folder: Path) -> list[Path]:
+def write_all_reports(folder: Path) -> list[str]:
     """Write all reports as pages into a folder, and an index, which is the first file returned."""
+    from derive.review import reports
+    from derive.review.subjects import subjects
+
     folder.mkdir(parents=True, exist_ok=True)
     written, done = [folder / "index.html"], []
     for one, template, found in reports.made(subjects(), _tell):
@@ -42,13 +48,16 @@ def write_all(folder: Path) -> list[Path]:
         write_files(files)
         written += files
         done.append((one, found))
-    page = report.page_of("contents", reports.PAGES, title="Derivations", **reports.index(done, ".html"))
+    page = report.page_of("contents", PAGES, title="Derivations", **reports.index(done, ".html"))
     write_files({written[0]: page})
-    return written
+    return list(map(str, written))
 
 
 def try_out(file: Path, output: Path) -> str:
     """Return how the machine of a robot file does, and draw it: ``.svg``, or named after the mechanism in a folder."""
+    from deltacal_gen.files.robot import read_robot
+    from derive.review.trial import drawn, told, trial
+
     robot = read_robot(file)
     picture = output / f"{robot.mechanism}.svg" if output.is_dir() else output
     text = told(robot, trial(robot))
@@ -56,24 +65,76 @@ def try_out(file: Path, output: Path) -> str:
     return f"{text}drawing in {picture}"
 
 
+def list_claims(paper: str | None, status: str | None, search: str | None, output: Path | None) -> list[dict[str, Any]]:
+    """Return the claims of one paper or all, of one status or all, with some words; as a page in `output`, too."""
+    from derive.review import ledger
+
+    papers = [ledger.load_paper(name) for name in (ledger.paper_names() if paper is None else (paper,))]
+    found = ledger.select(papers, status, (search or "").split())
+    ended = ledger.decided()
+    titles = {p.claims[0].paper: p.title for p in papers}
+    if output is not None:
+        write_files({output: ledger.page(titles, found)})
+    never = {"ended": "", "measured": []}
+    return [
+        {**c.model_dump(), "title": titles[c.paper], **(ended[c.test].in_short() if c.test in ended else never)}
+        for c in found
+    ]
+
+
+def reproduce(paper: str, folder: Path) -> dict[str, list[str]]:
+    """Write the page of a paper's tables and figures; return its file, and the numbers of what was remade."""
+    from derive.review import reproduction
+
+    parts = reproduction.remade(paper, _tell)
+    folder.mkdir(parents=True, exist_ok=True)
+    page = folder / f"{paper}.html"
+    write_files({page: reproduction.page(paper, parts)})
+    return {"files": [str(page)], "remade": list(dict.fromkeys(part.of for part in parts))}
+
+
+def _parse(arguments: Sequence[str]) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(prog="python -m derive review", description="Answer for reviewers, as JSON.")
+    tasks = parser.add_subparsers(dest="task", required=True)
+    of_reports = tasks.add_parser("derivation", help="write reports of what is derived")
+    of_reports.add_argument("name", nargs="?", help="a model (delta/42), mechanism, effect, measurement; default: all")
+    of_reports.add_argument("-o", "--output", type=Path, required=True, help="FILE.html or FILE.md; of all a folder")
+    of_trial = tasks.add_parser("trial", help="look at a machine whose kernels were just derived")
+    of_trial.add_argument("robot", metavar="ROBOT.toml", type=Path)
+    of_trial.add_argument("-o", "--output", type=Path, required=True, help="FILE.svg or a folder")
+    of_claims = tasks.add_parser("claims", help="list what the papers claim, and what became of it")
+    for option in ("--paper", "--status", "--search"):
+        of_claims.add_argument(option)
+    of_claims.add_argument("-o", "--output", type=Path, help="FILE.html")
+    of_tables = tasks.add_parser("reproduce", help="make the tables and figures of a paper again")
+    of_tables.add_argument("paper")
+    of_tables.add_argument("-o", "--output", type=Path, required=True, help="a folder")
+    return parser.parse_args(arguments)
+
+
+def answer(arguments: Sequence[str]) -> Any:
+    """Return the answer to a command line, as it is written in JSON."""
+    given = _parse(arguments)
+    match given.task:
+        case "derivation":
+            return write_all_reports(given.output) if given.name is None else write_report(given.name, given.output)
+        case "trial":
+            return try_out(given.robot, given.output)
+        case "claims":
+            return list_claims(given.paper, given.status, given.search, given.output)
+        case _:
+            return reproduce(given.paper, given.output)
+
+
 def main(arguments: Sequence[str]) -> int:
     """Run the command; return its exit code."""
-    parser = argparse.ArgumentParser(prog="python -m derive review", description="Write reports for reviewers.")
-    parser.add_argument("name", nargs="?", help="a model (delta/42), mechanism, effect or measurement; without it all")
-    parser.add_argument("--try", dest="tried", metavar="ROBOT.toml", type=Path, help="no report: look at this machine")
-    parser.add_argument("-o", "--output", type=Path, required=True, help="FILE.html or FILE.md; of all a folder")
-    asked = parser.parse_args(arguments)
     try:
-        if asked.tried is not None:
-            print(try_out(asked.tried, asked.output))
-            return 0
-        written = write_all(asked.output) if asked.name is None else write(asked.name, asked.output)
+        print(json.dumps(answer(arguments)))
     except InputError as error:
         said = {"problem": error.problem, "remedy": error.remedy, "line": error.line, "column": error.column}
         print(json.dumps({**said, "file": None if error.file is None else str(error.file)}))
         return error.exit_code
-    except DeltacalError as error:
-        print(error)
+    except UsageError as error:
+        print(json.dumps(str(error)))
         return error.exit_code
-    print(*written, sep="\n")
     return 0

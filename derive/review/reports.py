@@ -23,19 +23,18 @@ from deltacal_gen.identification.identifiability import RANK_TOLERANCE
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.machine.registry import Machine, mechanism_names, mechanism_of
-from deltacal_gen.pages import ledger, report
+from deltacal_gen.pages import report
 from deltacal_gen.pages.figures import AFTER, BEFORE, MUTED, decades
 from deltacal_gen.physics.terms import drive_effect_names, effect_names, load_effect
 from deltacal_gen.units import file_unit, to_internal
 from derive import registry
 from derive.papers import verdicts
 from derive.review import account as accounts
-from derive.review import checks, geometry, laws, method, notation, sketch
-from derive.review.sources import ROOT, Kernel, Sources, kernels, of_function, table_of
+from derive.review import checks, geometry, laws, ledger, method, notation, sketch
+from derive.review.sources import PAGES, ROOT, Kernel, Sources, kernels, of_function, table_of
 from derive.review.subjects import Sort, Subject, applies, example, seen_by, title_of
 
 KERNELS = "generated/deltacal_kernels"
-PAGES = Path(__file__).parent / "pages"
 PACKAGES = {"sympy": "SymPy", "numpy": "numpy", "scipy": "scipy", "matplotlib": "matplotlib"}  # as they are shown
 
 

@@ -9,10 +9,13 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
+from importlib import resources
 from pathlib import Path
 from typing import Any, NamedTuple
 
 ROOT = Path(__file__).resolve().parents[2]
+PAGES = Path(__file__).parent / "pages"
+EXAMPLES = Path(str(resources.files("deltacal_gen") / "examples"))
 
 
 class Place(NamedTuple):

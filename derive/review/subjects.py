@@ -6,8 +6,6 @@ import importlib
 from dataclasses import dataclass
 from enum import Enum
 from functools import cache
-from importlib import resources
-from pathlib import Path
 
 from deltacal_gen.errors import UsageError
 from deltacal_gen.files.robot import Robot, for_model, read_robot, robot_from_dict
@@ -16,6 +14,7 @@ from deltacal_gen.machine.registry import load_mechanism, mechanism_names, mecha
 from deltacal_gen.physics.parts import lacking
 from deltacal_gen.physics.terms import drive_effect_names, effect_names
 from derive import registry
+from derive.review.sources import EXAMPLES
 from derive.spec import LimbMechanism
 
 
@@ -93,8 +92,7 @@ def example(mechanism: str) -> Robot | None:
     """Return a machine as a mechanism describes it: an example's, else that of the mechanism's `drawing`, or None."""
     kernels = importlib.import_module(f"deltacal_kernels.{mechanism}.parameters")
     machine = getattr(kernels, "MACHINE", mechanism)
-    folder = Path(str(resources.files("deltacal_gen") / "examples"))
-    for file in sorted(folder.glob("*/robot.toml"), key=lambda f: (f.parent.name != machine, f.parent.name)):
+    for file in sorted(EXAMPLES.glob("*/robot.toml"), key=lambda f: (f.parent.name != machine, f.parent.name)):
         robot = read_robot(file)
         if robot.mechanism == mechanism:
             return robot

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from deltacal_gen.app import commands
+from deltacal_gen.app import checkout
 from deltacal_gen.app.demonstration import example
 from tests.support.commands import Run
 
@@ -223,7 +223,7 @@ def test_models_lists_every_parameter_with_unit_and_meaning(run: Run) -> None:
 
 
 def test_kernels_outside_a_checkout_say_so(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(commands.model_side, "checkout", lambda: None)
+    monkeypatch.setattr(checkout, "find_checkout", lambda: None)
     code, _, err = run("kernels")
     assert code == 2
     assert "source checkout" in err

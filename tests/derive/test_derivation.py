@@ -23,14 +23,13 @@ from deltacal_gen.app import commands
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.registry import load_mechanism, mechanism_names, mechanism_of
-from deltacal_gen.pages import ledger
 from deltacal_gen.physics.terms import drive_effect_names, effect_names
 from derive import registry
 from derive.effects import state
 from derive.language import vocabulary
 from derive.language.effects import Effect, EffectQuantity, Reference
 from derive.language.memory import Lag
-from derive.review import account, checks, method, notation, reports, typeset, unseen
+from derive.review import account, checks, ledger, method, notation, reports, typeset, unseen
 from derive.review.directions import links_of, null_spaces_of_chain
 from derive.review.machine import Written
 from derive.review.sources import Sources, kernels

@@ -11,7 +11,7 @@ import pytest
 
 from deltacal_gen.errors import InputError
 from deltacal_gen.machine.registry import mechanism_of
-from deltacal_gen.pages import ledger
+from derive.review import ledger
 from tests.claims import independent_mei as own
 from tests.support.ledger import ENTRY, write
 

@@ -31,7 +31,6 @@ ROUND = {
 PRODUCTS = {"einsum", "matmul", "dot", "tensordot", "vdot", "inner"}
 MACHINES = ("machine", "physics", "instrument")  # wings in which a product of matrices may be one of a machine
 
-PAPERS = "app/reproduction/"  # what papers print and draw, done again as they did it
 WORKSPACE = "a place in the cylinder of the workspace, by its radius and its angle"
 CHAIN_RULE = "derivatives of the kernels, multiplied"
 BEGUN = "a first estimate by linear algebra (Zhang 2000; Shah 2013), which the derived images then correct"
@@ -151,8 +150,6 @@ def test_the_runtime_holds_no_formula_of_a_machine() -> None:
     found = set()
     for path in sorted(SRC.rglob("*.py")):
         where = path.relative_to(SRC).as_posix()
-        if where.startswith(PAPERS):
-            continue
         for name, function in _functions(ast.parse(path.read_text(encoding="utf-8"))):
             if any(_told(node, where.startswith(MACHINES)) for node in ast.walk(function)):
                 found.add(f"{where}:{name}")

@@ -24,7 +24,7 @@ from deltacal_gen.physics.terms import drive_effect_names, effect_names, load_ef
 from deltacal_gen.results.reader import KINDS_IN_MOTION
 
 SOURCE = Path(__file__).resolve().parents[2] / "src" / "deltacal_gen"
-PAPERS, EXAMPLES = "app/reproduction/", "manual/"  # the machines of four papers, and notebooks that are read
+EXAMPLES = "manual/"  # notebooks that are read
 
 STATES = {s.name for s in states.STATES.values() if s.kind in ("joint", "channel", "load") or s.of_geometry}
 COLUMNS = {
@@ -103,7 +103,7 @@ def nodes() -> Nodes:
 def places(nodes: Nodes, rule: Callable[[ast.AST], bool], *home: str) -> Iterator[str]:
     """Yield ``path:function`` of all that a rule finds outside its home."""
     for where, owner, node in nodes:
-        if not where.startswith((*home, PAPERS, EXAMPLES)) and rule(node):
+        if not where.startswith((*home, EXAMPLES)) and rule(node):
             yield f"{where}:{owner}: {ast.unparse(node)}"
 
 

@@ -13,7 +13,6 @@ import numpy as np
 import pytest
 
 from deltacal_gen.app import commands
-from deltacal_gen.app.reproduction import mei as mei2018
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.estimation.fit import fit
 from deltacal_gen.estimation.problem import pose_problem
@@ -27,6 +26,7 @@ from deltacal_gen.physics.simulation import read_truth, simulate
 from deltacal_gen.planning import planning
 from deltacal_gen.units import DEG
 from deltacal_gen.use.prediction import predict
+from derive.review.reproduction import mei as mei2018
 from tests.claims import independent_mei as mei
 
 EXAMPLE = Path(str(resources.files("deltacal_gen") / "examples/diamond"))

@@ -10,7 +10,6 @@ import pytest
 
 import deltacal_gen as dc
 from deltacal_gen.app.demonstration import example
-from deltacal_gen.app.reproduction.savoure import remaining
 from deltacal_gen.errors import UsageError
 from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import Robot, for_model, for_names, read_robot, robot_from_dict, robot_to_dict
@@ -20,6 +19,7 @@ from deltacal_gen.machine.registry import SOLVED, UNREACHABLE, Machine, load_mec
 from deltacal_gen.machine.values import Masses, Recording
 from deltacal_gen.physics.simulation import read_truth, simulate, truth_names
 from deltacal_gen.use.compensation import Compensator
+from derive.review.reproduction.savoure import remaining
 from tests.claims.independent_savoure import (
     CHECK,
     CONFIGURATIONS,

@@ -234,7 +234,7 @@ def test_the_first_row_must_be_the_home(
 
 def test_which_set_tracks_better_is_not_a_matter_of_truth(robot: Any) -> None:
     """Table 5: some 1 % apart, the nominal set ahead whichever is the truth; the printed gain has the other sign."""
-    from deltacal_gen.app.reproduction import traslosheros as paper
+    from derive.review.reproduction import traslosheros as paper
 
     sets = [paper.rows(robot), paper.rows(robot, {n: float(v) for n, v in table_1().items()})]
     for true in sets:

@@ -27,7 +27,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from deltacal_gen.pages import ledger
+from derive.review import ledger
 from tests.claims import of_the_project
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+from typing import Literal, get_args
+
 from deltacal_gen.results.base import Answer, Value
+
+Status = Literal["proved", "verified", "loose", "contradicted", "convention-dependent", "not reproducible", "undecided"]
+STATUSES: tuple[str, ...] = get_args(Status)  # of claims
 
 
 class SourceError(Value):
@@ -64,12 +69,18 @@ class ClaimEntry(Answer):
     """A claim of a paper, and what became of it."""
 
     paper: str
+    title: str
+    """Of the paper."""
     where: str
     statement: str
-    status: str
+    status: Status
     printed: str
     correct: str
     decided: str
     """How the derivation decides it; empty where its test does, and printed and correct form are typed."""
     evidence: str
     test: str
+    ended: str
+    """How the test ended when it last ran, when, and with which sources; empty where it never ran."""
+    measured: tuple[str, ...]
+    """Its first figures."""

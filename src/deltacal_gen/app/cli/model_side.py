@@ -3,18 +3,13 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 from rich.table import Table
 
 from deltacal_gen.app.cli.common import Json, escaped, print_json, progress, screen
-from deltacal_gen.results.registered import ClaimEntry
-
-if TYPE_CHECKING:
-    from deltacal_gen.pages.ledger import Ended
-
-FIGURES = 3  # of a deciding test, as many as a block of text has; the page has all
+from deltacal_gen.results.registered import STATUSES, ClaimEntry
 
 
 def kernels(
@@ -72,7 +67,7 @@ def reproduce(
     output: Annotated[Path, typer.Option("-o", "--output", metavar="DIR", help="folder for PAPER.html")],
     as_json: Json = False,
 ) -> None:
-    """Remake a paper's tables and figures beside the printed ones, with the verdict on each."""
+    """Remake a paper's tables and figures beside the printed ones, with the verdicts (from a source checkout)."""
     from deltacal_gen.app import commands
 
     with progress(as_json) as tell:
@@ -128,30 +123,28 @@ def claims(
     ] = None,
     as_json: Json = False,
 ) -> None:
-    """Show what the papers claim, what the derivation gives, and the test that decides."""
+    """Show what the papers claim, what the derivation gives, the test that decides (from a source checkout)."""
     from deltacal_gen.app import commands
-    from deltacal_gen.pages import ledger
 
     found = commands.claims(paper=paper, status=status, search=search, output=output)
     if as_json:
         print_json(found)
         return
     papers = {name: [c for c in found if c.paper == name] for name in dict.fromkeys(c.paper for c in found)}
-    ended = ledger.decided()
-    for name, entries in papers.items() if output is None else ():
-        screen.print(f"[bold]{escaped(ledger.load_paper(name).title)}[/bold]\n")
+    for entries in papers.values() if output is None else ():
+        screen.print(f"[bold]{escaped(entries[0].title)}[/bold]\n")
         for c in entries:
-            screen.print(_claim(c, ended.get(c.test)))
+            screen.print(_claim(c))
     if output is not None:
         screen.print(f"{len(found)} claims in {output}")
     counts = Table("status", *papers, box=None, padding=(0, 2))
-    for s in ledger.STATUSES:
+    for s in STATUSES:
         counts.add_row(s, *(str(sum(c.status == s for c in entries)) for entries in papers.values()))
     counts.add_row("all", *(str(len(entries)) for entries in papers.values()))
     screen.print(counts)
 
 
-def _claim(c: ClaimEntry, end: Ended | None) -> Table:
+def _claim(c: ClaimEntry) -> Table:
     """Return a claim as a block: where it stands and what became of it, then line by line what is said of it."""
     block = Table.grid(padding=(0, 1))
     block.add_column(no_wrap=True, style="dim")
@@ -165,10 +158,9 @@ def _claim(c: ClaimEntry, end: Ended | None) -> Table:
         "evidence": c.evidence,
         "derived": c.decided or "no: typed, and decided by its test",
         "test": c.test,
+        "ended": c.ended,
+        "measured": "\n".join(c.measured),
     }
-    if end is not None:
-        lines["ended"] = f"{end.both} {end.date}, sources {end.sources[:12]}"
-        lines["measured"] = "\n".join(end.measured(FIGURES))
     for head, line in lines.items():
         if line:
             block.add_row(head, escaped(line))

@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-import json
 import os
-import subprocess
-import sys
 from collections.abc import Callable, Sequence
-from importlib.util import find_spec
 from pathlib import Path
 
+from deltacal_gen.app import checkout
 from deltacal_gen.app.commands.common import Progress, Source, check_output, silent
 from deltacal_gen.errors import InputError, UsageError
-from deltacal_gen.files.writing import write_files
 from deltacal_gen.machine.backend import compile_row_functions
 from deltacal_gen.machine.registry import load_mechanism, mechanism_names
 from deltacal_gen.results.registered import (
@@ -100,18 +96,10 @@ def claims(
     UsageError
         There is no such paper or status.
     """
-    from deltacal_gen.pages import ledger
-
-    if status is not None and status not in ledger.STATUSES:
-        raise UsageError(f"there is no status '{status}'; known: {', '.join(ledger.STATUSES)}.")
     check_output(output, ending=(".html",))
-    papers = [ledger.load_paper(name) for name in (ledger.paper_names() if paper is None else (paper,))]
-    words = (search or "").split()
-    found = [c for p in papers for c in p.claims if status in (None, c.status) and ledger.says(c, words)]
-    if output is not None:
-        titles = {p.claims[0].paper: p.title for p in papers}
-        write_files({Path(output): ledger.page(titles, found)})
-    return [ClaimEntry(**claim.model_dump()) for claim in found]
+    options = {"--paper": paper, "--status": status, "--search": search, "--output": output and Path(output).absolute()}
+    given = [f"{option}={value}" for option, value in options.items() if value is not None]
+    return [ClaimEntry(**claim) for claim in checkout.run_review("claims", *given)]
 
 
 def reproduce(paper: str, output: Source, *, progress: Progress = silent) -> Reproduction:
@@ -131,34 +119,12 @@ def reproduce(paper: str, output: Source, *, progress: Progress = silent) -> Rep
     InputError
         The output is a file.
     """
-    from deltacal_gen.app import reproduction
-    from deltacal_gen.pages import ledger
-
-    ledger.load_paper(paper)
     folder = Path(output)
     if folder.exists() and not folder.is_dir():
         raise InputError("this is a file, and the page needs a folder.", "Choose another name.", file=folder)
-    parts = reproduction.remade(paper, progress)
-    folder.mkdir(parents=True, exist_ok=True)
-    page = folder / f"{paper}.html"
-    write_files({page: reproduction.page(paper, parts)})
-    return Reproduction(files=(str(page),), remade=tuple(dict.fromkeys(part.of for part in parts)))
-
-
-def checkout() -> Path | None:
-    """Return the root of the source checkout that this package runs from, or None."""
-    root = Path(__file__).resolve().parents[4]
-    return root if (root / "derive" / "__main__.py").exists() and (root / "templates").is_dir() else None
-
-
-def _deriving(elsewhere: str) -> Path:
-    """Return the root of the checkout in which to derive; raises UsageError where there is none, or no SymPy."""
-    root = checkout()
-    if root is None:
-        raise UsageError(elsewhere)
-    if not all(map(find_spec, ("sympy", "jinja2"))):
-        raise UsageError("deriving needs SymPy and Jinja: pip install 'sympy>=1.14,<1.15' jinja2.")
-    return root
+    done = checkout.run_review("reproduce", paper, "-o", folder.absolute(), progress=progress)
+    files = tuple(str(folder / Path(file).name) for file in done["files"])
+    return Reproduction(files=files, remade=tuple(done["remade"]))
 
 
 def derivation(model: str | None, output: Source, *, every: bool = False, progress: Progress = silent) -> Derivation:
@@ -182,15 +148,16 @@ def derivation(model: str | None, output: Source, *, every: bool = False, progre
     """
     if (model is None) != every:
         raise UsageError("give a model, a mechanism, an effect or a measurement, or else --all.")
-    root = _deriving("reports are made from a source checkout; this is an installed package.")
     target = Path(output)
     if model is not None:
         check_output(output, ending=(".html", ".md"))
     elif target.exists() and not target.is_dir():
         raise InputError("this is a file, and the reports need a folder.", "Choose another name.", file=target)
-    answer = _reviewed(root, *([model] if model else []), "-o", target.absolute(), progress=progress)
+    chosen = () if model is None else (model,)
+    task = ("derivation", *chosen, "-o", target.absolute())
+    files = checkout.run_review(*task, deriving=True, progress=progress)
     folder = target if every else target.parent
-    return Derivation(files=tuple(str(folder / Path(line).name) for line in answer.split("\n")))
+    return Derivation(files=tuple(str(folder / Path(file).name) for file in files))
 
 
 def kernels(names: Sequence[str] = (), *, check: bool = False) -> bool:
@@ -208,9 +175,7 @@ def kernels(names: Sequence[str] = (), *, check: bool = False) -> bool:
     UsageError
         This is no source checkout, or SymPy is not installed.
     """
-    root = _deriving("kernels are derived from a source checkout; those of an installed package are done.")
-    command = [sys.executable, "-m", "derive", *names, *(["--check"] if check else [])]
-    return subprocess.run(command, cwd=root, env={**os.environ, "PYTHONHASHSEED": "0"}).returncode == 0
+    return checkout.run_derivation(*names, *(["--check"] if check else []))
 
 
 def trial(robot: Source, output: Source | None = None) -> str:
@@ -229,31 +194,9 @@ def trial(robot: Source, output: Source | None = None) -> str:
         This is no source checkout, or SymPy is not installed.
     """
     check_output(output, robot, ending=(".svg",))
-    root = _deriving("a machine is drawn from its equations, in a source checkout.")
-    answer = _reviewed(root, "--try", Path(robot).absolute(), "-o", Path(output or "").absolute())
+    task = ("trial", Path(robot).absolute(), "-o", Path(output or "").absolute())
+    answer: str = checkout.run_review(*task, deriving=True)
     return answer.replace(f"{Path().absolute()}{os.sep}", "")
-
-
-def _reviewed(root: Path, *arguments: object, progress: Progress = silent) -> str:
-    """Return what ``python -m derive review`` answers; raises its errors, of which `derive.review.command` tells."""
-    command = [sys.executable, "-m", "derive", "review", *map(str, arguments)]
-    said: list[str] = []
-    with subprocess.Popen(
-        command, cwd=root, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, encoding="utf-8"
-    ) as process:
-        assert process.stderr is not None
-        assert process.stdout is not None
-        for line in process.stderr:
-            said.append(line)
-            progress(line.rstrip())
-        answer = process.stdout.read().rstrip()
-    if process.returncode == UsageError.exit_code:
-        raise UsageError(answer)
-    if process.returncode == InputError.exit_code:
-        raise InputError(**json.loads(answer))
-    if process.returncode:
-        raise RuntimeError("".join(said) + answer)
-    return answer
 
 
 def warm(progress: Callable[[str, float], None] = lambda name, seconds: None) -> dict[str, float]:

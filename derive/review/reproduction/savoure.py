@@ -18,8 +18,6 @@ from typing import Any
 
 import numpy as np
 
-from deltacal_gen.app.demonstration import example
-from deltacal_gen.app.reproduction.sheet import Part, Picture, Sheet
 from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import Robot, for_model, read_robot
 from deltacal_gen.identification.identifiability import base_parameters
@@ -29,12 +27,14 @@ from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.simulation import read_truth, simulate
 from deltacal_gen.units import DEG
 from deltacal_gen.use.compensation import Compensator
+from derive.review.reproduction.sheet import Part, Picture, Sheet
+from derive.review.sources import EXAMPLES
 
 TOOLS = (0.0, 100.0, 200.0)  # h [mm]
 SIGMA_MM, SIGMA_RAD = 0.003, 0.003 * DEG
 CHECK = np.arange(-45.0, 46.0) * DEG
 WAYS = ("none", "classical", "improved", "exact")
-SOURCE = example("planar_parallelogram")
+SOURCE = EXAMPLES / "planar_parallelogram"
 
 
 def machine(h: float) -> tuple[Robot, dict[str, float]]:

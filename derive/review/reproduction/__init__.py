@@ -10,8 +10,10 @@ import re
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from deltacal_gen.app.reproduction.sheet import Part, Picture, Sheet, Study
-from deltacal_gen.pages import ledger, report
+from deltacal_gen.pages import report
+from derive.review import ledger
+from derive.review.reproduction.sheet import Part, Picture, Sheet, Study
+from derive.review.sources import PAGES
 
 
 def remade(paper: str, tell: Callable[[str], None]) -> list[Part]:
@@ -23,7 +25,7 @@ def remade(paper: str, tell: Callable[[str], None]) -> list[Part]:
         There is no such paper.
     """
     ledger.load_paper(paper)
-    study: Study = importlib.import_module(f"deltacal_gen.app.reproduction.{paper}").study
+    study: Study = importlib.import_module(f"derive.review.reproduction.{paper}").study
     return list(study(tell))
 
 
@@ -43,7 +45,7 @@ def page(paper: str, parts: Sequence[Part]) -> str:
     ]
     counts = [(s, sum(c.status == s for c in claims)) for s in ledger.STATUSES]
     return report.page_of(
-        "reproduction", title=f"{paper}: tables and figures", paper=found, counts=counts, sections=sections
+        "reproduction", PAGES, title=f"{paper}: tables and figures", paper=found, counts=counts, sections=sections
     )
 
 

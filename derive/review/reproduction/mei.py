@@ -19,8 +19,6 @@ from typing import Any
 
 import numpy as np
 
-from deltacal_gen.app.demonstration import example
-from deltacal_gen.app.reproduction.sheet import Part, Picture, Sheet
 from deltacal_gen.estimation.fit import fit
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import pose_problem
@@ -35,6 +33,8 @@ from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.simulation import read_truth
 from deltacal_gen.planning import matrix, planning
 from deltacal_gen.units import DEG
+from derive.review.reproduction.sheet import Part, Picture, Sheet
+from derive.review.sources import EXAMPLES
 
 DIAMOND = load_mechanism("diamond")
 ZEROS = [DIAMOND.index["theta_1"], DIAMOND.index["theta_2"]]
@@ -72,7 +72,7 @@ class Bench:
     @staticmethod
     def of_example() -> Bench:
         """Return the bench of the example: six positions, and the joints that the nominal machine gives them."""
-        folder = example("diamond")
+        folder = EXAMPLES / "diamond"
         robot = read_robot(folder / "robot.toml")
         poses = read_recording(folder / "poses.csv", DIAMOND, need_measured=False, allow_targets=True)
         tool, rows = np.array(poses.measurement.platform_point_mm), DIAMOND.rows(robot)
@@ -381,7 +381,7 @@ def _figure_12(groups: Groups, a: Any) -> None:
 def study(tell: Callable[[str], None], seeds: int = SEEDS) -> Iterator[Part]:
     """Yield the paper's simulated tables and figures, remade."""
     bench = Bench.of_example()
-    truth = read_truth(example("diamond") / "truth.toml", bench.robot).errors
+    truth = read_truth(EXAMPLES / "diamond" / "truth.toml", bench.robot).errors
     groups = Groups(bench, truth, seeds)
     yield Picture("Fig. 5", "Home error by the errors of limb 1, one at a time", partial(_figure_5, bench))
     sheet = Sheet("Fig. 8", "Condition number of the six positions", ("positions", "kappa_1", "paper: kappa_1"))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from pathlib import Path
 
@@ -9,16 +10,50 @@ import numpy as np
 import pytest
 
 import deltacal_gen as dc
-from deltacal_gen.app import reproduction
-from deltacal_gen.app.reproduction import bai, mei, savoure
-from deltacal_gen.app.reproduction.sheet import Picture, Sheet
 from deltacal_gen.errors import InputError, UsageError
-from deltacal_gen.pages import ledger
-from tests.claims import independent_bai, independent_mei
+from derive.review import ledger, reproduction
+from derive.review.reproduction import bai, mei, savoure
+from derive.review.reproduction.sheet import Picture, Sheet
+from derive.review.sources import EXAMPLES
+from tests.claims import independent_bai, independent_mei, independent_traslosheros
+from tests.support import remade
+
+NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
 
 
-def quiet(_: str) -> None:
-    """Tell nobody."""
+@pytest.fixture(scope="module")
+def recorded() -> dict[str, remade.Tables]:
+    return json.loads(remade.FILE.read_text(encoding="utf-8"))
+
+
+@pytest.mark.parametrize("paper", ledger.paper_names())
+def test_tables_are_as_recorded(paper: str, recorded: dict[str, remade.Tables]) -> None:
+    """Word by word, and figures to one in the last digit that is shown."""
+    found, wanted = remade.tables(paper), recorded[paper]
+    assert found.keys() == wanted.keys(), "run python -m tests.support.remade"
+    for of in found:
+        for row, known in zip(found[of], wanted[of], strict=True):
+            assert NUMBER.sub("#", row) == NUMBER.sub("#", known), of
+            for value, before in zip(NUMBER.findall(row), NUMBER.findall(known), strict=True):
+                last = 10.0 ** -len(before.partition(".")[2])
+                assert float(value) == pytest.approx(float(before), abs=1.01 * last), (of, row)
+
+
+def test_table_1_of_traslosheros_shows_what_is_printed_beside_what_is_simulated(
+    recorded: dict[str, remade.Tables],
+) -> None:
+    """The printed home is not where the printed lengths and angles put it, which the simulated machine has."""
+    heads, *rows = (row.split(" | ") for row in next(iter(recorded["traslosheros"].values())))
+    of = {name: [float(row[heads.index(name)]) for row in rows] for name in ("paper: calibrated", "simulated")}
+    nominal, calibrated = independent_traslosheros.NOMINAL, independent_traslosheros.CALIBRATED
+    for name, machine in (
+        ("paper: calibrated", calibrated),
+        ("simulated", independent_traslosheros.closed(calibrated)),
+    ):
+        errors = machine.vector() - nominal.vector()
+        errors[[3, 7, 11]] = np.rad2deg(errors[[3, 7, 11]])
+        assert of[name] == pytest.approx(errors, abs=6e-4)
+    assert of["paper: calibrated"][-3:] == [5.31, 0.31, -6.26]
 
 
 def test_bai_is_remade_on_one_page_twice_alike(tmp_path: Path) -> None:
@@ -36,7 +71,7 @@ def test_bai_is_remade_on_one_page_twice_alike(tmp_path: Path) -> None:
 
 def test_what_is_printed_stands_beside() -> None:
     """The paper's figures in the sheets are those that the independent tests typed from the text."""
-    sheets = {p.of: p for p in bai.study(quiet) if isinstance(p, Sheet)}
+    sheets = {p.of: p for p in bai.study(remade.quiet) if isinstance(p, Sheet)}
     typed = independent_bai.entries(independent_bai.TABLE_4)
     for row in sheets["Table 4"].rows:
         for i, cell in zip((1, 2, 3), row[4:], strict=True):
@@ -56,7 +91,7 @@ def test_the_condition_number_of_bai_is_the_independent_one() -> None:
 def test_mei_before_calibration_is_the_independent_one() -> None:
     """Few seeds suffice: what is compared needs none."""
     bench = mei.Bench.of_example()
-    truth = mei.read_truth(mei.example("diamond") / "truth.toml", bench.robot).errors
+    truth = mei.read_truth(EXAMPLES / "diamond" / "truth.toml", bench.robot).errors
     groups = mei.Groups(bench, truth, 2)
     for row in groups.before().rows:
         number = int(row[0])
@@ -70,7 +105,7 @@ def test_mei_before_calibration_is_the_independent_one() -> None:
 
 
 def test_savoure_has_a_curve_for_each_tool() -> None:
-    parts = list(savoure.study(quiet))
+    parts = list(savoure.study(remade.quiet))
     assert [p.of for p in parts if isinstance(p, Picture)] == ["Fig. 5", "Fig. 6", "Fig. 7"]
     rows = next(p for p in parts if p.of == "Fig. 5" and isinstance(p, Sheet)).rows
     exact = [float(row[-1]) for row in rows if row[1] == "without noise"]

@@ -15,8 +15,6 @@ from typing import Any
 
 import numpy as np
 
-from deltacal_gen.app.demonstration import example
-from deltacal_gen.app.reproduction.sheet import Part, Picture, Sheet
 from deltacal_gen.estimation.fit import fit
 from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.estimation.solvers import LeastSquares
@@ -34,6 +32,8 @@ from deltacal_gen.machine.registry import Array, load_mechanism
 from deltacal_gen.machine.values import Measurement, Recording
 from deltacal_gen.physics.simulation import read_truth, simulate
 from deltacal_gen.use.compensation import Compensator
+from derive.review.reproduction.sheet import Part, Picture, Sheet
+from derive.review.sources import EXAMPLES
 
 SIGMA = 0.005  # mm, per coordinate; each pose is read three times and averaged
 DELTA = load_mechanism("delta")
@@ -124,8 +124,8 @@ class Calibrated:
     @staticmethod
     def simulated(rng: np.random.Generator) -> Calibrated:
         """Measure and identify as sections 5.1 and 5.2 do."""
-        nominal = read_robot(example() / "robot.toml")
-        truth = read_truth(example() / "truth.toml", nominal).errors
+        nominal = read_robot(EXAMPLES / "delta" / "robot.toml")
+        truth = read_truth(EXAMPLES / "delta" / "truth.toml", nominal).errors
         space = workspace_of(nominal)
         home, points = check_poses(space)[:1], np.array([[0.0, 0.0, 0.0], [0.0, 0.0, -100.0]])
 

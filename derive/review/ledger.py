@@ -1,7 +1,8 @@
 """The ledger of claims: what the papers say, what the derivation gives, and the test that decides.
 
-One file per paper, ``claims/PAPER.toml``: its ``title``, then a ``[[claim]]`` for every numbered equation, every table,
-every figure with numbers and every number stated in the text. The file's presence is its registration.
+One file per paper, ``claims/PAPER.toml`` beside this module: its ``title``, then a ``[[claim]]`` for every numbered
+equation, every table, every figure with numbers and every number stated in the text. The file's presence is its
+registration.
 
 What the derivation decides is not typed there: such a claim names its verdicts (``derived``), and its printed and
 correct form and its status are those of ``claims/derived.json``, which ``python -m derive verdicts`` writes.
@@ -13,19 +14,20 @@ import ast
 import hashlib
 import json
 import re
-from collections.abc import Mapping, Sequence
-from importlib import resources
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import Annotated, Any, Literal, get_args
+from typing import Annotated, Any
 
 from pydantic import Field, ValidationError
 from pydantic_core import ErrorDetails
 
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.toml import Table, TomlFile
+from deltacal_gen.pages import report
+from deltacal_gen.results.registered import STATUSES, Status
+from derive.review.sources import PAGES
 
-Status = Literal["proved", "verified", "loose", "contradicted", "convention-dependent", "not reproducible", "undecided"]
-STATUSES: tuple[str, ...] = get_args(Status)
+SHOWN = 3  # figures of a deciding test where there is little room; the page has all
 
 _Line = Annotated[str, Field(pattern=r"^\S(.*\S)?$")]  # one line of text, not empty
 _Place = Annotated[str, Field(pattern=r"^(eq\. \(\d+\)|Table \d+|Fig\. \d+|section (\d+(\.\d+)*|[IVX]+(\.[A-Z])?))$")]
@@ -77,7 +79,7 @@ class Paper(Table):
 
 def folder() -> Path:
     """Return the folder of the papers' files."""
-    return Path(str(resources.files("deltacal_gen") / "claims"))
+    return Path(__file__).parent / "claims"
 
 
 def paper_names() -> tuple[str, ...]:
@@ -124,8 +126,20 @@ def read_paper(path: str | Path) -> Paper:
     return Paper(title=title, claims=tuple(claims))
 
 
-def says(claim: Claim, words: Sequence[str]) -> bool:
-    """Tell whether each of some words begins a word of a claim."""
+def select(papers: Iterable[Paper], status: str | None, words: Sequence[str]) -> list[Claim]:
+    """Return the claims of papers that have a status, where one is given, and in which each word begins a word.
+
+    Raises
+    ------
+    UsageError
+        There is no such status.
+    """
+    if status not in (None, *STATUSES):
+        raise UsageError(f"there is no status '{status}'; known: {', '.join(STATUSES)}.")
+    return [c for p in papers for c in p.claims if status in (None, c.status) and _has(c, words)]
+
+
+def _has(claim: Claim, words: Sequence[str]) -> bool:
     text = " ".join((claim.where, claim.status, claim.statement, claim.printed, claim.correct, claim.evidence))
     return all(re.search(rf"(?<!\w){re.escape(word)}", text, re.IGNORECASE) for word in words)
 
@@ -140,14 +154,12 @@ def page(titles: Mapping[str, str], claims: Sequence[Claim]) -> str:
     claims : sequence of Claim
         To be shown, in their order.
     """
-    from deltacal_gen.pages import report
-
     by_paper = {n: [c for c in claims if c.paper == n] for n in titles}
     papers = [{"name": n, "title": titles[n], "count": len(own), "claims": own} for n, own in by_paper.items()]
     counts = [(s, sum(c.status == s for c in claims)) for s in STATUSES]
-    script = report.asset("claims.js")
+    script = (PAGES / "claims.js").read_text(encoding="utf-8")
     return report.page_of(
-        "claims", title="Claims of the papers", papers=papers, counts=counts, script=script, ended=decided()
+        "claims", PAGES, title="Claims of the papers", papers=papers, counts=counts, script=script, ended=decided()
     )
 
 
@@ -189,9 +201,10 @@ class Ended(Table):
         """How it ended, in words."""
         return self.outcome if self.outcome == self.by_project else f"{self.outcome}, by the project {self.by_project}"
 
-    def measured(self, most: int) -> list[str]:
-        """Return the first figures as lines of text."""
-        return [f"{f.asserted}: {f.found}" for f in self.figures if f.found][:most]
+    def in_short(self) -> dict[str, Any]:
+        """Return how it ended, and its first figures, as lines of text."""
+        figures = [f"{f.asserted}: {f.found}" for f in self.figures if f.found]
+        return {"ended": f"{self.both} {self.date}, sources {self.sources[:12]}", "measured": figures[:SHOWN]}
 
 
 def decided(of: Path | None = None) -> dict[str, Ended]:

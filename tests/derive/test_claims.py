@@ -9,13 +9,14 @@ import sys
 from collections import Counter
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
-from deltacal_gen.app import cli
+from deltacal_gen.app import checkout, cli
 from deltacal_gen.errors import InputError, UsageError
-from deltacal_gen.pages import ledger
+from derive.review import command, ledger
 from tests.support.ledger import ENTRY, write
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -107,6 +108,12 @@ def shelf(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     write(tmp_path, ENTRY, ENTRY | {"where": "section 2.1", "status": "proved"})
     write(tmp_path, ENTRY | {"status": "verified"}, name="archimedes")
     monkeypatch.setattr(ledger, "folder", lambda: tmp_path)
+
+    def answer(*arguments: object, **_: object) -> Any:
+        """Answer as the process of the review does, which knows nothing of this folder."""
+        return json.loads(json.dumps(command.answer([*map(str, arguments)])))
+
+    monkeypatch.setattr(checkout, "run_review", answer)
     return tmp_path
 
 
@@ -127,7 +134,8 @@ def test_json_is_the_list_and_nothing_else(monkeypatch: pytest.MonkeyPatch, caps
         ("euclid", "eq. (3)"),
         ("euclid", "section 2.1"),
     ]
-    assert found[1] == {"paper": "euclid", **ENTRY, "decided": ""}
+    more = {"title": "Euclid, Elements", "decided": "", "ended": "", "measured": []}
+    assert found[1] == {"paper": "euclid", **ENTRY, **more}
     run(monkeypatch, "--json", "--paper", "euclid", "--status", "proved")
     assert [c["where"] for c in json.loads(capsys.readouterr().out)] == ["section 2.1"]
 
@@ -159,6 +167,31 @@ def test_a_claim_is_a_block_that_80_columns_hold(
     for claim in claims:
         assert " ".join(claim.statement.split()) in joined
     assert out.count("\ntest ") == len(claims)
+
+
+def test_claims_say_how_their_tests_ended() -> None:
+    from deltacal_gen import claims
+
+    ended = ledger.decided()
+    for entry in claims(paper="mei", status="contradicted"):
+        end = ended[entry.test]
+        assert entry.ended == f"passed {end.date}, sources {end.sources[:12]}"
+        assert all(any(line.startswith(f.asserted) for f in end.figures) for line in entry.measured)
+
+
+@pytest.mark.parametrize("arguments", [("claims",), ("reproduce", "bai", "-o", "papers"), ("derivation", "--all")])
+def test_an_installed_package_says_that_a_checkout_is_needed(
+    arguments: tuple[str, ...], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    monkeypatch.setattr(checkout, "find_checkout", lambda: None)
+    monkeypatch.chdir(tmp_path)
+    more = ("-o", "reports") if arguments[0] == "derivation" else ()
+    monkeypatch.setattr(sys, "argv", ["deltacal", *arguments, *more])
+    with pytest.raises(SystemExit) as end:
+        cli.main()
+    assert end.value.code == 2
+    assert "needs a source checkout" in capsys.readouterr().err
+    assert not list(tmp_path.iterdir())
 
 
 def test_words_and_status_choose(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
