@@ -24,7 +24,7 @@ from deltacal_gen.app import commands, fleet
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.errors import DeltacalError
 from deltacal_gen.execution import Outcome, Task
-from deltacal_gen.planning import monte_carlo
+from deltacal_gen.planning import studies
 from deltacal_gen.planning.machines import Study
 from tests.support.measured import write
 
@@ -87,7 +87,7 @@ def main() -> None:
     given = parser.parse_args()
     study(Study.chunk, 1)  # compiles
     of_study: list[Weight] = []
-    with mock.patch.object(monte_carlo, "run", weighed(of_study)):
+    with mock.patch.object(studies, "run", weighed(of_study)):
         study(Study.chunk)
     what = f"study: {Study.chunk} machines, 19 poses, {MODEL}"
     rows = [[what, *_cells(of_study, statistics.median), _memory()]]

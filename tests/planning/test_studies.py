@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from deltacal_gen import InputError, read_robot
+from deltacal_gen import InputError, UsageError, read_robot
 from deltacal_gen.app import commands
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.files.recording import read_recording
@@ -171,6 +171,13 @@ def test_a_plan_that_carries_too_little_is_refused(robot: Robot, plan: Path, tmp
         commands.study(robot, short)
     with pytest.raises(InputError, match="are needed"):
         commands.study(robot, short, model="32", noise=0.01)
+
+
+def test_a_trajectory_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "trajectory.csv"
+    commands.plan(example() / "robot.toml", None, path, kind="torque", runs=1, period=4.0)
+    with pytest.raises(UsageError, match="a study is of poses, and this is a trajectory"):
+        commands.study(example() / "robot.toml", path, noise=0.05)
 
 
 def test_a_plan_of_a_second_encoder_says_what_a_diagnosis_would_find(robot: Robot, tmp_path: Path, run: Run) -> None:

@@ -36,7 +36,6 @@ from deltacal_gen.results.diagnosis import Baseline, Diagnosis, Effect, Final, H
 from deltacal_gen.results.parts import EffectName
 from deltacal_gen.results.result import Result, Status
 from deltacal_gen.results.study import Advice, Position, Study, Suspect
-from deltacal_gen.results.trajectories import MotionStudy
 from deltacal_gen.states import of_column
 from deltacal_gen.units import file_unit, joint_factors, joint_names, to_internal
 
@@ -488,25 +487,11 @@ def enough(axes: Axes, found: Advice) -> None:
     axes.set_ylabel("position error, mm")
 
 
-def torques(axes: Axes, found: MotionStudy) -> None:
-    """Draw what is predicted wrong of each joint's torque, by the bodies as drawn and as identified."""
-    for k, t in enumerate(found.torque):
-        axes.plot([t.after_rms, t.before_rms], [k, k], color=MUTED, lw=1.2, zorder=1)
-        axes.scatter([t.before_rms], [k], color=BEFORE, s=36, zorder=2)
-        axes.scatter([t.after_rms], [k], color=AFTER, s=36, zorder=2)
-    axes.set_xscale("log")
-    axes.set_yticks(range(len(found.torque)), [f"joint {t.limb}" for t in found.torque])
-    axes.set_ylim(len(found.torque) - 0.5, -0.5)
-    axes.tick_params(axis="y", length=0)
-    units = " or ".join(sorted({t.unit for t in found.torque}))
-    axes.set_xlabel(f"torque predicted wrong on other movements (rms over all machines), {units}")
-
-
-def scatter(axes: Axes, found: Study | MotionStudy) -> None:
+def scatter(axes: Axes, found: Study) -> None:
     """Draw what a study leaves unknown of each parameter, as part of what was drawn."""
     told = [p for p in found.parameters if p.drawn_std > 0]
     part = [p.std / p.drawn_std for p in told]
-    expected = [np.nan if p.predicted_std is None else p.predicted_std / p.drawn_std for p in told]
+    expected = [p.predicted_std / p.drawn_std for p in told]
     axes.bar(range(len(told)), part, color=AFTER, width=0.7, label="simulated")
     axes.plot(range(len(told)), expected, "_", color=INK, ms=8, mew=1.5, label="predicted")
     axes.axhline(1.0, color=MUTED, lw=1, ls="--")

@@ -17,7 +17,6 @@ from deltacal_gen.results.diagnosis import Diagnosis
 from deltacal_gen.results.plan import Plan
 from deltacal_gen.results.result import Result
 from deltacal_gen.results.study import Study
-from deltacal_gen.results.trajectories import MotionStudy
 from deltacal_gen.results.validation import Validation
 
 
@@ -109,13 +108,6 @@ def _study(found: Study) -> Sheet:
     return figure
 
 
-def _study_of_drives(found: MotionStudy) -> Sheet:
-    figure, (errors, left) = figures.sheet(1, 2, (10, 3.5))
-    figures.torques(errors, found)
-    figures.scatter(left, found)
-    return figure
-
-
 def _batch(found: Batch) -> Sheet:
     done = [row for row in found.rows if not isinstance(row, FailedRow | DrivesRow)]
     if not done:
@@ -132,6 +124,5 @@ _DRAWERS: Mapping[type[Answer], Callable[[Any], Sheet]] = {
     Validation: _validation,
     Comparison: _comparison,
     Study: _study,
-    MotionStudy: _study_of_drives,
     Batch: _batch,
 }

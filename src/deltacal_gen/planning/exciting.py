@@ -99,7 +99,7 @@ class Excitation:
         (self.low, self.high, self.speed, self.acceleration), self.notes = limits_of(robot)
         self._rows = self._mechanism.rows(robot)
         self._centre = self._middle()
-        Y = self._asked(self.at_random())
+        Y = self._asked(self.drawn().states(self._time))
         self._weights = [1 / (np.abs(y).max() or 1.0) for y in Y]
 
     @property
@@ -132,20 +132,6 @@ class Excitation:
         shape = (2, self._harmonics, len(self.low))
         cosine, sine = self._rng.standard_normal(shape) * self._rng.uniform(0.3, 1.0, shape[2])
         return self.fitted(Series(self._centre, cosine, sine, self._period))
-
-    def at_random(self) -> Array:
-        """Return joints, velocities, accelerations (3, N, n_q) of a series at random."""
-        return self.drawn().states(self._time)
-
-    def time(self, step: float) -> Array:
-        """Return the times of the samples of a run that are a step apart [s]."""
-        return np.asarray(np.arange(round(self._period / step) + 1) * step)
-
-    def further(self, states: Array) -> Series:
-        """Return the series that adds most to what a movement tells, at states (3, N, n_q) of some sampling."""
-        W = self._columns_at(states)
-        with using(Backend.COMPILED):
-            return self.best(W.T @ W * len(self._time) * len(self.low) / len(W))
 
     def changed(self, of: Series, much: float) -> Series:
         """Return another series near one."""
@@ -195,9 +181,7 @@ class Excitation:
 
     def columns(self, series: Series) -> Array:
         """Return what a unit of each of `names` asks of the joints, joint by joint, each joint by its own size."""
-        return self._columns_at(series.states(self._time))
-
-    def _columns_at(self, states: Array) -> Array:
+        states = series.states(self._time)
         qd, n, rows = states[1], len(self.low), []
         for j, (Y, weight) in enumerate(zip(self._asked(states), self._weights, strict=True)):
             friction = np.zeros((len(qd), 2 * n))

@@ -25,10 +25,7 @@ from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.physics.terms import Term, kept_term
 from deltacal_gen.results import study as results
 from deltacal_gen.results.base import Value
-from deltacal_gen.results.diagnosis import Diagnosis
-from deltacal_gen.results.motion import MotionDiagnosis
 
-Named = tuple[str, tuple[int, ...]]  # an effect, and the limbs that have it
 STEPS = 12  # of Gauss-Newton with the nominal Jacobian, at most
 DONE = 0.05  # standard deviations: by which the last step may still change a parameter; a next one would be a tenth
 
@@ -67,14 +64,6 @@ class Study:
     def prepare(self) -> None:
         """Work out what all machines share."""
         self.problem if self.sees_joints else self.check  # noqa: B018  # each is worked out where it is first asked for
-
-    def machines(self, index: int, count: int) -> Machines:
-        """Simulate and calibrate machines; see `machines`."""
-        return machines(self, index, count)
-
-    def concealed(self, suspect: int, trial: int) -> Trial:
-        """Conceal a suspect and diagnose; see `concealed`."""
-        return concealed(self, suspect, trial)
 
     def __getstate__(self) -> dict[str, Any]:
         """Return the fields alone: a worker works out the rest itself."""
@@ -236,27 +225,6 @@ class Trial(Value):
     after_mm: float | None
     next: list[str]
 
-    @classmethod
-    def of(
-        cls,
-        found: Diagnosis | MotionDiagnosis,
-        named: Sequence[Named],
-        wanted: Sequence[Named],
-        before: float | None = None,
-        after: float | None = None,
-    ) -> Trial:
-        """Return what a diagnosis is worth that named some effects, in order, where others were concealed."""
-        alike = {name for e in found.effects for name in e.indistinguishable_from}
-        return cls(
-            right=sorted(named) == sorted(wanted),
-            among=bool(wanted) and {n for n, _ in wanted} <= {n for n, _ in named} | alike,
-            named=[(name, list(limbs)) for name, limbs in named],
-            verdict=found.verdict,
-            before_mm=before,
-            after_mm=after,
-            next=[n.text for n in found.next_measurements],
-        )
-
 
 def machines(study: Study, index: int, count: int) -> Machines:
     """Simulate and calibrate machines; the random numbers belong to the chunk's index."""
@@ -403,7 +371,16 @@ def concealed(study: Study, suspect: int, trial: int) -> Trial:
     found = diagnose(study.robot, dataclasses.replace(recording, channels=recording.told)).answer()
     named = [(e.name, e.limbs) for e in found.findings]
     wanted = [(t.effect, t.limbs) for t in terms]
-    return Trial.of(found, named, wanted, found.baseline.heldout_rms_mm, found.final.heldout_rms_mm)
+    alike = {name for e in found.effects for name in e.indistinguishable_from}
+    return Trial(
+        right=sorted(named) == sorted(wanted),
+        among=bool(wanted) and {n for n, _ in wanted} <= {n for n, _ in named} | alike,
+        named=[(name, list(limbs)) for name, limbs in named],
+        verdict=found.verdict,
+        before_mm=found.baseline.heldout_rms_mm,
+        after_mm=found.final.heldout_rms_mm,
+        next=[n.text for n in found.next_measurements],
+    )
 
 
 def rms_of(study: Study, linear: Linear) -> float:

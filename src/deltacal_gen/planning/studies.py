@@ -10,22 +10,61 @@ Of readings of joints, which see no source error, nothing but these can be asked
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+from threadpoolctl import threadpool_limits
 
 from deltacal_gen.errors import InputError, NoSolutionError
-from deltacal_gen.execution import Told
+from deltacal_gen.execution import Outcome, Task, Told, content_key, run
 from deltacal_gen.files.robot import kept_robot
 from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.planning.advice import advice, channels_wanted, told_of
-from deltacal_gen.planning.machines import Machines, Study, rms_of
-from deltacal_gen.planning.monte_carlo import drawn
+from deltacal_gen.planning.machines import Machines, Study, concealed, machines, rms_of
 from deltacal_gen.results import study as results
+from deltacal_gen.results.base import Json
 from deltacal_gen.results.parts import EffectName
 from deltacal_gen.results.study import Advice, Histogram, Position, Spread, StudyParameter, Suspect
 from deltacal_gen.units import DEG, file_unit, to_internal
+
+_met: dict[str, Study] = {}
+
+
+def once(study: Study, mark: str) -> Study:
+    """Return the study of a fingerprint as this process first met it: what its tasks share is worked out once."""
+    if mark not in _met:
+        _met.clear()
+        _met[mark] = study
+    return _met[mark]
+
+
+def work(study: Study, mark: str, what: str, *numbers: int) -> Json:
+    """Do a task of the study of a fingerprint; runs on a worker."""
+    own = once(study, mark)
+    with threadpool_limits(1, "blas"):  # sums must not depend on the cores of a worker
+        return (machines if what == "machines" else concealed)(own, *numbers).to_dict()
+
+
+def _asked(study: Study, mark: str, job: tuple[Any, ...]) -> tuple[Any, ...]:
+    """Return what a worker is handed."""
+    return study, mark, *job
+
+
+def tasks(study: Study, mark: str, trials: int, diagnoses: int) -> list[Task]:
+    """Return the tasks of the study of a fingerprint: machines, then each suspicion, nothing concealed first.
+
+    Random numbers belong to the chunk's index or the suspect's trial, not to the worker.
+    """
+    jobs: list[tuple[Any, ...]] = []
+    for index in range(math.ceil(trials / study.chunk)):
+        jobs.append(("machines", index, min(study.chunk, trials - index * study.chunk)))
+    for suspect in range(-1, len(study.suspects)):
+        jobs += [("concealed", suspect, trial) for trial in range(diagnoses)] if len(study.suspects) else []
+    return [Task(content_key(mark, job), f"{job[0]} {job[1] + 1}", partial(_asked, study, mark, job)) for job in jobs]
 
 
 def conduct(
@@ -50,6 +89,8 @@ def conduct(
     ------
     InputError
         The plan carries fewer readings than the calibration has unknowns, or cannot be reached; no scheduler answers.
+    NoSolutionError
+        A chunk of machines failed.
     """
     with using(Backend.COMPILED):
         return _conduct(study, model, trials, diagnoses, workers, cluster, directory, told)
@@ -74,18 +115,25 @@ def _conduct(
             "Add poses, or free fewer parameters with --model.",
             file=study.poses.path,
         )
-    done, hidden, more = drawn(
-        study,
-        0 if joints else trials,
-        diagnoses,
-        lambda: None if joints else advice(study),
-        workers=workers,
-        cluster=cluster,
-        directory=directory,
-        told=told,
-    )
+    trials, mark = 0 if joints else trials, study.fingerprint()
+    study = once(study, mark)
+    study.prepare()
+    todo = tasks(study, mark, trials, diagnoses)
+    outcomes = run(work, todo, total=len(todo), workers=workers, cluster=cluster, directory=directory, told=told)
+    done = [next(outcomes)]
+    more = None if joints else advice(study)  # while the workers are at work
+    done += outcomes
+    chunks = math.ceil(trials / study.chunk)
     names = [tuple(EffectName(name=t.effect, limbs=t.limbs) for t in terms) for terms in study.suspects]
-    return _summed(study, model, [Machines(**d) for d in done], told_of(names, hidden, diagnoses), more)
+    suspects = told_of(names, done[chunks:], diagnoses)
+    return _summed(study, model, [Machines(**_result(o)) for o in done[:chunks]], suspects, more)
+
+
+def _result(outcome: Outcome) -> Json:
+    """Return what became of a chunk of machines."""
+    if outcome.result is None:
+        raise NoSolutionError(f"{outcome.label}: {outcome.error}")
+    return outcome.result
 
 
 def _summed(

@@ -448,9 +448,9 @@ def by_joint(left: Left) -> str:
     return by_limb(zip(left.heldout_rms_by_joint, left.unit_by_joint, strict=True))
 
 
-def by_limb(each: Iterable[tuple[float | None, str]], digits: int = 4) -> str:
+def by_limb(each: Iterable[tuple[float | None, str]]) -> str:
     """Return figures of joints with their units, in words."""
     values = list(each)
     units = {unit for _, unit in values}
-    texts = ["-" if v is None else f"{v:.{digits}g}" + (f" {unit}" if len(units) > 1 else "") for v, unit in values]
+    texts = ["-" if v is None else f"{v:.4g}" + (f" {unit}" if len(units) > 1 else "") for v, unit in values]
     return ", ".join(texts) + (f" {units.pop()}" if len(units) == 1 else "")

@@ -46,7 +46,6 @@ IN_MOTION = {  # the same of recordings in motion
     "deltacal.diagnosis/1": ("motion", "MotionDiagnosis"),
     "deltacal.plan/1": ("trajectories", "MotionPlan"),
     "deltacal.result/1": ("motion", "MotionResult"),
-    "deltacal.study/1": ("trajectories", "MotionStudy"),
     "deltacal.validation/1": ("motion", "MotionValidation"),
 }
 TORQUE: Final = "torque"  # what drives give

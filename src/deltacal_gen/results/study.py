@@ -80,12 +80,10 @@ class Suspect(Value):
     failed: tuple[str, ...]
 
 
-def suspected(
-    suspects: Sequence[Suspect], wanted: Sequence[Missing], places: Places, part: str | None = None
-) -> Iterator[Text]:
+def suspected(suspects: Sequence[Suspect], wanted: Sequence[Missing], places: Places) -> Iterator[Text]:
     """Yield how often what was concealed was named, and what cannot be found without which channel."""
     for s in suspects:
-        words = " and ".join(f"{e.name}{places.at(e.limbs, part)}" for e in s.effects) or "nothing"
+        words = " and ".join(f"{e.name}{places.at(e.limbs)}" for e in s.effects) or "nothing"
         low, high = s.interval
         yield Text(
             f"{words} concealed: said so in {s.named_right} of {s.recordings} recordings "

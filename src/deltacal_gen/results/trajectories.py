@@ -1,4 +1,4 @@
-"""STUDY.json and PLAN.json of kind torque: what a trajectory tells of bodies and drives."""
+"""PLAN.json of kind torque: what a trajectory tells of bodies and drives."""
 
 from __future__ import annotations
 
@@ -6,106 +6,6 @@ from typing import Literal
 
 from deltacal_gen.results.base import Answer, Value
 from deltacal_gen.results.document import Document, Table, Text, number
-from deltacal_gen.results.motion import ByJoint, by_limb
-from deltacal_gen.results.parts import Missing, RobotTables
-from deltacal_gen.results.result import OpenCombination
-from deltacal_gen.results.study import Suspect, suspected
-
-
-class ToldParameter(Value):
-    """How well a base parameter is found, in its own unit."""
-
-    name: str
-    combination: str
-    unit: str
-    drawn_std: float
-    std: float
-    """Of estimate minus truth."""
-    bias: float
-    predicted_std: float | None
-    """What the linear problem expects of `std`; null where the trajectory does not tell it."""
-    stated_std: float
-    """What an identification will say."""
-
-
-class TorqueSpread(Value):
-    """What is predicted wrong of a joint's torque on other movements, over all machines, in `unit`."""
-
-    limb: int
-    unit: str
-    before_rms: float
-    """By the bodies of the robot file."""
-    after_rms: float
-    """As identified."""
-    p95: float
-    """Of the machines' own rms, 95 % lie below."""
-    predicted_rms: float | None
-    """What the linear problem expects of `after_rms`; null where the trajectory leaves something open."""
-    readings: int
-    """In motion."""
-
-
-class TorqueAddition(Value):
-    """What a further movement leaves of the errors of the joints that move, by the linear problem."""
-
-    add: str
-    rms_by_joint: ByJoint
-
-
-class MotionStudy(Answer):
-    """STUDY.json of kind torque: what a trajectory will tell of bodies and drives."""
-
-    model: str
-    schema: Literal["deltacal.study/1"] = "deltacal.study/1"
-    robot: RobotTables
-    kind: Literal["torque"]
-    readings: int
-    runs: int
-    sigma_by_joint: tuple[float, ...]
-    unit_by_joint: tuple[str, ...]
-    machines: int
-    seed: int
-    parameters: tuple[ToldParameter, ...]
-    torque: tuple[TorqueSpread, ...]
-    """Of the joints that move."""
-    unidentifiable: tuple[OpenCombination, ...]
-    suspects: tuple[Suspect, ...]
-    channels_wanted: tuple[Missing, ...]
-    add: tuple[TorqueAddition, ...]
-    notes: tuple[str, ...]
-    """Limits that were assumed."""
-
-    @property
-    def headline(self) -> str:
-        """What is predicted wrong, joint by joint."""
-        before = by_limb(((t.before_rms, t.unit) for t in self.torque), 3)
-        after = by_limb(((t.after_rms, t.unit) for t in self.torque), 3)
-        return f"{self.model}: torques off by {before} as drawn, {after} identified ({self.machines} machines)"
-
-    def table(self) -> tuple[ToldParameter, ...]:
-        """Return how well each base parameter is found."""
-        return self.parameters
-
-    def document(self) -> Document:
-        """Yield errors of torques, base parameters, suspects, and what a further movement would bring."""
-        rows = [
-            (f"joint {t.limb}", *(_blank(v) for v in (t.before_rms, t.after_rms, t.p95, t.predicted_rms)), t.unit)
-            for t in self.torque
-        ]
-        head = ("torque on other movements", "as drawn", "identified", "95 % of machines", "predicted", "unit")
-        yield Table(head, rows)
-        known = [
-            (p.name, *(_blank(v, "not told") for v in (p.drawn_std, p.std, p.predicted_std, p.stated_std)), p.unit)
-            for p in self.parameters
-        ]
-        yield Table(("base parameter", "drawn", "std", "predicted", "stated", "unit"), known)
-        yield from suspected(self.suspects, self.channels_wanted, self.robot.places, "joint")
-        yield from (Text(f"{a.add}: {', '.join(number(v, 3) for v in a.rms_by_joint)}") for a in self.add)
-        yield from (Text(note, level=1) for note in self.notes)
-
-
-def _blank(value: float | None, otherwise: str = "") -> str:
-    return otherwise if value is None else number(value, 3)
 
 
 class JointSeries(Value):

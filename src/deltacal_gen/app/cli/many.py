@@ -25,9 +25,7 @@ Cluster = Annotated[str | None, typer.Option("--cluster", metavar="ADDRESS", hel
 
 def study(
     robot: RobotFile,
-    plan_file: Annotated[
-        Path, typer.Option("--plan", metavar="PLAN", help="poses, targets or a trajectory (CSV), with a sidecar")
-    ],
+    plan_file: Annotated[Path, typer.Option("--plan", metavar="PLAN", help="poses or targets (CSV), with a sidecar")],
     output: Annotated[Path | None, output_file("STUDY.json")] = None,
     report: Annotated[Path | None, typer.Option("--report", help="page (HTML)", show_default=False)] = None,
     model: Model = None,
@@ -35,7 +33,7 @@ def study(
     trials: Annotated[int, typer.Option("--trials", help="machines to be simulated and calibrated")] = 1000,
     noise: Annotated[
         float | None,
-        typer.Option("--noise", help="of a reading, in its unit (mm, px, deg; Nm, N, A); default the sidecar's"),
+        typer.Option("--noise", help="of a reading, in its unit (mm, px, deg); default the sidecar's"),
     ] = None,
     suspects: Annotated[
         list[Path] | None,
@@ -51,7 +49,7 @@ def study(
     decimal: Decimal = None,
     as_json: Json = False,
 ) -> None:
-    """Say what a measuring plan, or a trajectory, will give, before anyone measures."""
+    """Say what a measuring plan will give, before anyone measures."""
     from deltacal_gen.app import commands
 
     with counting(as_json) as told:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any
 
 from deltacal_gen.app.commands.common import (
     AnyRecording,
@@ -15,7 +15,6 @@ from deltacal_gen.app.commands.common import (
     as_robot,
     check_output,
     in_motion,
-    refuse_in_motion,
     untold,
     write_json,
 )
@@ -30,11 +29,8 @@ from deltacal_gen.machine.values import Measurement
 
 if TYPE_CHECKING:
     from deltacal_gen.execution import Told
-    from deltacal_gen.files.robot import Robot
-    from deltacal_gen.motion.kinds import Torque
     from deltacal_gen.results.batch import Batch
     from deltacal_gen.results.study import Study
-    from deltacal_gen.results.trajectories import MotionStudy
 
 
 def study(
@@ -57,9 +53,6 @@ def study(
 ) -> Study:
     """Say what a measuring plan will give; see `studies.conduct`.
 
-    Of a trajectory (kind torque) the answer is a `results.motion.MotionStudy`: what it will tell of bodies and drives,
-    see `drives.conduct`.
-
     Parameters
     ----------
     plan : path or Recording
@@ -69,8 +62,8 @@ def study(
     machine : str, optional
         Model of what machines are wrong in; default what the calibration frees.
     noise : float, optional
-        Standard deviation of a reading in its unit: per coordinate mm, px or deg; in motion Nm, N or A. Default the
-        sidecar's. Rotations beside lengths have its `sigma_deg`, or what 100 mm from the point is such a shift.
+        Standard deviation of a reading in its unit, per coordinate: mm, px or deg. Default the sidecar's. Rotations
+        beside lengths have its `sigma_deg`, or what 100 mm from the point is such a shift.
     suspects : sequence of path
         TRUTH.toml files, each with the effects of one suspicion.
     diagnoses : int
@@ -86,18 +79,18 @@ def study(
         The plan cannot be reached or carries too little; no noise is given; no scheduler answers at `cluster`.
         Readings of joints, which see no source error, and nothing is suspected.
     """
-    if (moving := in_motion(plan)) is not None:
-        refuse_in_motion(model=model, machine=machine)
+    if in_motion(plan) is not None:
+        raise UsageError(
+            "a study is of poses, and this is a trajectory: deltacal plan --kind torque says how well it determines "
+            "bodies and friction; simulate and diagnose try it on a machine."
+        )
     if trials < 1 or diagnoses < 1 or seed < 0 or (noise is not None and not LEAST <= noise <= MOST):
         bounds = f"noise from {LEAST:g} to {MOST:g}"
         raise UsageError(f"trials and diagnoses must be at least 1, {bounds}, and seed an integer from 0.")
     check_output(output, robot, plan, *suspects)
     check_output(report, robot, plan, output, *suspects)
     how = {"workers": workers, "cluster": cluster, "directory": directory, "told": told}
-    if moving is not None:
-        found = cast("Study", _of_drives(as_robot(robot), moving, noise, suspects, seed, trials, diagnoses, **how))
-    else:
-        found = _of_poses(robot, plan, model, machine, noise, suspects, seed, trials, diagnoses, **how)
+    found = _of_poses(robot, plan, model, machine, noise, suspects, seed, trials, diagnoses, **how)
     if output is not None:
         write_json(found, output)
     if report is not None:
@@ -154,36 +147,6 @@ def _of_poses(
     wrong = names if machine is None else mechanism.model(machine)
     made = dataclasses.replace(made, names=names, errors=wrong)
     return studies.conduct(made, trials, diagnoses, model=chosen, **how)
-
-
-def _of_drives(
-    robot: Robot,
-    moving: Torque,
-    noise: float | None,
-    suspects: Sequence[Source],
-    seed: int,
-    trials: int,
-    diagnoses: int,
-    **how: Any,
-) -> MotionStudy:
-    """Return the study of a trajectory."""
-    from deltacal_gen.motion.rigid import Rigid
-    from deltacal_gen.motion.session import sigma_said
-    from deltacal_gen.motion.simulation import read_truth
-    from deltacal_gen.planning import drives
-
-    given, rigid = moving.read(robot, need_measured=False), Rigid(robot)
-    said = [noise if noise is not None else sigma_said(given, unit) for unit in given.units]
-    sigma = tuple(value for value in said if value is not None)
-    if len(sigma) < len(said):
-        unit = given.units[said.index(None)]
-        raise InputError(
-            "nothing says how well drives are read.",
-            f"Add sigma_{unit} to the sidecar, or --noise.",
-            file=given.path,
-        )
-    truths = tuple(read_truth(file, rigid) for file in suspects)
-    return drives.conduct(drives.DriveStudy(robot, given, sigma, truths, seed), trials, diagnoses, **how)
 
 
 def batch(
