@@ -8,16 +8,26 @@ export OPENBLAS_NUM_THREADS := 1
 # containers often forbid byte code; the tests start some two hundred processes, and each would compile all modules
 export PYTHONDONTWRITEBYTECODE :=
 
-.PHONY: demo test test-all checked derived lint kernels bench proof clean
+.PHONY: help demo test test-all checked derived lint kernels bench proof measured clean
+
+help:  ## this list
+	@sed -n 's/^\([a-z-]*\):[^#]*## /  make \1#/p' $(MAKEFILE_LIST) | while IFS='#' read -r job does; do \
+		printf '%-18s %s\n' "$$job" "$$does"; done
 
 demo: .venv/run  ## find what is concealed in an embedded recording; page and picture in demo/
 	$(BIN)/deltacal demo
 
-# files in the order of their names: by the number of their tests few, long ones would come last
-test: checked  ## lint, types, import rules, kernels, tests
-	$(BIN)/python -m pytest -n $(WORKERS) --dist loadfile --no-loadscope-reorder
+# Cases of one file share what they diagnose, so a file stays with one worker. WALKS=1 adds what walks through commands.
+RUN = $(BIN)/python -m pytest -n $(WORKERS) --dist loadfile --no-loadscope-reorder
+ifdef T
+test: .venv/dev
+	$(RUN) $(addprefix tests/,$(T))
+else
+test: checked  ## lint, types, import rules, kernels, tests; T=diagnosis: the tests of a folder alone
+	$(RUN) $(if $(WALKS),,-m "not thorough and not walk")
+endif
 
-test-all: checked  ## the same, and what takes minutes
+test-all: checked  ## the same, with what walks and what takes minutes
 	$(BIN)/python -m pytest -n $(WORKERS) -m ""
 
 # types and kernels take half a minute each, of one core
@@ -27,7 +37,7 @@ checked: .venv/dev
 derived: .venv/dev
 	$(BIN)/deltacal kernels --check
 
-lint: .venv/dev
+lint: .venv/dev  ## style, types, who may import whom
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
@@ -50,7 +60,7 @@ measured: .venv/dev .venv/bench .venv/proof  ## write the manual's measured tabl
 	$(BIN)/python -m tests.benchmarks.scaling --measured
 	$(BIN)/python -m tests.proof -o proof --measured
 
-clean:
+clean:  ## what the other jobs made
 	rm -rf .venv dist demo proof scaling.png .pytest_cache .mypy_cache .ruff_cache .hypothesis .import_linter_cache
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 

@@ -27,10 +27,20 @@ from deltacal_gen.machine.registry import Machine, load_mechanism
 from tests.support.commands import Run
 from tests.support.prototype import PROTOTYPE
 
+THOROUGH_S = 1800  # before a test that takes minutes is stopped
+
 
 def pytest_configure() -> None:
     """Look for garbage seldom: it is little beside what imports and syntax trees hold."""
     gc.set_threshold(100_000, 20, 20)
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Begin with the tests of the whole, which take longest: behind the others one core would wait for them."""
+    items.sort(key=lambda item: item.path.parent.name != "whole")
+    for item in items:
+        if item.get_closest_marker("thorough") and not item.get_closest_marker("timeout"):
+            item.add_marker(pytest.mark.timeout(THOROUGH_S))
 
 
 def pytest_collection_finish() -> None:

@@ -105,6 +105,20 @@ def test_the_command_writes_a_recording_without_readings(soft: Diagnosis, run: R
     assert sum(q.rows for q in answer.questions) >= 9
 
 
+def test_rows_name_the_point_of_the_tool_that_is_measured(run: Run, tmp_path: Path) -> None:
+    """Where two points of the platform take turns, a row that names neither would be read as the robot file's."""
+    points = np.array([[0.0, 0.0, 0.0], [60.0, -20.0, -80.0]])
+    made = record(NEAR, effect("joint_compliance", (1, 2, 3), 0.011), n=50, tool=points[np.arange(50) % 2])
+    saved, out = tmp_path / "d.json", tmp_path / "poses.csv"
+    saved.write_text(diagnose(LIMITED, made).answer().to_json())
+    assert run("next", saved, "-o", out, "--budget", 30)[0] == 0
+    read = read_recording(out, DELTA, need_measured=False)
+    assert read.tool is not None
+    assert {tuple(tool) for tool in read.tool.tolist()} == {tuple(point) for point in points.tolist()}
+    stands = np.column_stack([read.joints, read.tool])
+    assert len(np.unique(read.pose)) == len(np.unique(stands, axis=0))  # another point of a pose is another row
+
+
 def test_laws_that_readings_do_not_tell_apart_are_told_apart_by_rows() -> None:
     """A law that bends where few readings are, beside one that does not: at the ends of the channel they differ."""
     n, rng = 80, np.random.default_rng(2)
