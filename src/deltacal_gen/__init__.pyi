@@ -59,6 +59,6 @@ from .results.result import Result as Result, Status as Status
 from .results.study import Study as Study
 from .results.validation import Validation as Validation
 from .use.compensation import Compensator as Compensator
-from .use.exports import export_c as export_c
-from .use.tables import export_table as export_table, read_table as read_table
+from .use.exporters.c import export_c as export_c
+from .use.exporters.table import export_table as export_table, read_table as read_table
 from .version import __version__ as __version__

@@ -25,7 +25,7 @@ from deltacal_gen.physics.channels import Channels
 from deltacal_gen.physics.terms import Constant, Term, blank, drive_effect_names, effect_names, load_effect, scaled
 from deltacal_gen.units import DEG, joint_names
 from deltacal_gen.use.compensation import Compensator
-from deltacal_gen.use.exports import export_c
+from deltacal_gen.use.exporters.c import export_c
 from deltacal_gen.use.spans import Spans
 from derive import compiler
 from derive.effects import constant, covariate, joint_coefficient, state

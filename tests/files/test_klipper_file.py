@@ -11,7 +11,7 @@ import pytest
 from deltacal_gen import InputError, import_klipper, import_marlin, import_rrf
 from deltacal_gen.files.robot import Robot, robot_from_dict
 from deltacal_gen.machine.registry import load_mechanism
-from deltacal_gen.use.firmware import firmware_lines
+from deltacal_gen.use.exporters import exporter_of
 from tests.support.printers import PRINTER, Z_OFFSET, joints, printer_cfg, session
 
 pytestmark = pytest.mark.usefixtures("compiled")
@@ -41,7 +41,7 @@ def file(tmp_path: Path) -> Path:
 def test_what_stands_above_the_saved_block_holds(robot: Robot, text: str, file: Path) -> None:
     """As in Klipper, which comments out what it saves: lines that were written are what a later import begins with."""
     errors = {"radius": 0.4, "endstop_2": -0.3, "angle_1": 0.002}
-    written = firmware_lines(dataclasses.replace(robot, errors=errors), "klipper")
+    written = exporter_of("klipper").describe(dataclasses.replace(robot, errors=errors))
     assert written.after.worst_mm == 0.0  # not 1e-13
     lines = written.text
     body, block = text.split("#*# <", 1)

@@ -111,12 +111,10 @@ FUNCTIONS = {
     "planning/boards.py:looking": "from where a plan looks at a board: a tilt and a turn around it",
     "planning/exciting.py:Excitation.__init__": "by how much a series may pass its samples (Ehlich and Zeller 1964)",
     "planning/exciting.py:Series.states": "a Fourier series in time, as a plan commands it (Swevers et al. 1997)",
-    "use/comparison.py:_combinations": "two standard deviations together",
-    "use/comparison.py:compare": "two standard deviations together",
-    "use/comparison.py:compare_in_motion": "two standard deviations together",
-    "use/exports.py:_places": WORKSPACE,
-    "use/tables.py:_table_errors": WORKSPACE,
-    "use/tables.py:_used": WORKSPACE,
+    "use/comparison.py:_both": "two standard deviations together",
+    "use/command_source.py:_places": WORKSPACE,
+    "use/exporters/table.py:_table_errors": WORKSPACE,
+    "use/exporters/table.py:_used": WORKSPACE,
     "use/unseen.py:_on_the_bed": "along which way of the bed a print is stretched",
 }
 LINES = {

@@ -35,10 +35,10 @@ from deltacal_gen.planning.reach import reach, readable
 from deltacal_gen.planning.targets import candidates_of
 from deltacal_gen.use import commanded
 from deltacal_gen.use.compensation import Compensator, CompensatorKind
-from deltacal_gen.use.exports import export_c
+from deltacal_gen.use.exporters.c import export_c
+from deltacal_gen.use.exporters.table import export_table
 from deltacal_gen.use.prediction import predict
 from deltacal_gen.use.spans import channels_of
-from deltacal_gen.use.tables import export_table
 from tests.support.commands import Run
 from tests.support.planned import log_determinant
 

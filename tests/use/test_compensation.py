@@ -30,8 +30,8 @@ from deltacal_gen.machine.registry import SINGULAR, SOLVED, UNREACHABLE, load_me
 from deltacal_gen.machine.values import Workspace
 from deltacal_gen.physics.terms import Term
 from deltacal_gen.use.compensation import Compensator, CompensatorKind
-from deltacal_gen.use.exports import export_c
-from deltacal_gen.use.tables import TableCompensator, export_table, read_table
+from deltacal_gen.use.exporters.c import export_c
+from deltacal_gen.use.exporters.table import TableCompensator, export_table, read_table
 
 DEG = math.pi / 180
 SCALE = Term("joint_scale", (1, 2, 3), np.full((3, 1), 1e-3))
@@ -522,10 +522,10 @@ def test_tables_that_cannot_be(prototype: Robot, tmp_path: Path) -> None:
     ("old", "new", "message"),
     [
         ("deltacal.table/1", "deltacal.table/9", "line 1.*schema"),
-        ("nodes = [5, 5, 2]", "nodes = [5, 5]", "nodes in the header"),
+        ("nodes = [5, 5, 2]", "nodes = [5, 5]", "'nodes' is"),
         ("nodes = [5, 5, 2]", "nodes = [5, 5, 3]", "75 rows were expected, but there are 50"),
         ("step_mm = [250.0", "step_mm = [25.0", "line 32.*not the node"),
-        ("robot = ", "robbot = ", "robot in the header is missing"),
+        ("robot = ", "robbot = ", "'robbot' is not known. Did you mean 'robot'"),
         ("dq1_deg", "dq1_rad", "line 21.*names of the columns"),
         ("\n-500.000000,-500.000000,-728.000000,", "\n-500.000000,-500.000000,-728.000000,x", "line 23.*6 numbers"),
     ],

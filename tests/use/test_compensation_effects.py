@@ -28,10 +28,11 @@ from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.physics.terms import Term, blank, displaces_points, effect_names, load_effect
 from deltacal_gen.results.reader import read_result
 from deltacal_gen.units import DEG
+from deltacal_gen.use.command_source import NOT_A_NUMBER
 from deltacal_gen.use.compensation import Compensator
-from deltacal_gen.use.exports import NOT_A_NUMBER, export_c
+from deltacal_gen.use.exporters.c import export_c
+from deltacal_gen.use.exporters.table import export_table, read_table
 from deltacal_gen.use.spans import Spans, spans
-from deltacal_gen.use.tables import export_table, read_table
 from tests.support.compiled_c import At
 from tests.support.every_effect import ON_MACHINES, channels, constants, machine_with, machines, sized, targets
 from tests.support.prototype import plausible, scattered, wanted

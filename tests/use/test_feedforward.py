@@ -20,7 +20,7 @@ from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.rotation import to_vector
 from deltacal_gen.motion.feedforward import FeedForward
 from deltacal_gen.results.motion import JointModel
-from deltacal_gen.use.servo_source import export_feedforward
+from deltacal_gen.use.exporters import exporter_of
 from tests.support.compiled_c import COMPILER, JUMPED, LIMITED, NOT_A_NUMBER, STRICT, needs_compiler
 from tests.support.every_effect import machines
 from tests.support.machines_with_loops import machine
@@ -435,7 +435,7 @@ def test_every_machine_with_limbs_stands_in_c_as_in_python(known: Path, name: st
     own, mechanism, answer = dynamics_of(robot), mechanism_of(robot), rigid_model(known, robot)
     n, unit = mechanism.limbs, "N" if mechanism.joint_unit == "mm" else "Nm"
     source, library = known / f"{name}.c", known / f"{name}.so"
-    export_feedforward(answer, source)
+    exporter_of("c").in_motion(answer, source)
     assert COMPILER is not None
     subprocess.run([COMPILER, *STRICT, str(source), "-o", str(library), "-lm"], check=True)
     function = ctypes.CDLL(str(library)).deltacal_feedforward

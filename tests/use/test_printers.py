@@ -23,7 +23,8 @@ from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.results.result import flattered
 from deltacal_gen.results.written import FirmwareLines
 from deltacal_gen.units import DEG
-from deltacal_gen.use.firmware import Printed, firmware_lines
+from deltacal_gen.use.exporters import exporter_of
+from deltacal_gen.use.firmware import Printed
 from tests.support.commands import Run
 from tests.support.printers import (
     LINEAR,
@@ -292,7 +293,7 @@ def test_firmware_gets_back_what_it_can_carry(
 ) -> None:
     """A machine that firmware can describe goes there and back exactly."""
     errors = plausible(rng, LINEAR.model("linear_delta/9"))
-    lines = firmware_lines(dataclasses.replace(printer, errors=errors), kind)
+    lines = exporter_of(kind).describe(dataclasses.replace(printer, errors=errors))
     assert not lines.not_carried
     assert lines.after.worst_mm < 1e-5
     if kind == "klipper":
@@ -317,14 +318,14 @@ def test_firmware_gets_back_what_it_can_carry(
 
 def test_firmware_lines_say_what_they_cannot_carry(printer: Robot) -> None:
     leaning = dataclasses.replace(printer, errors={"lean_radial_1": 0.3 * DEG, "scale_2": 0.001})
-    lines = firmware_lines(leaning, "klipper", ["transmission_eccentricity"])
+    lines = exporter_of("klipper").describe(leaning, ["transmission_eccentricity"])
     assert lines.after.worst_mm > 0.005
     assert f"{lines.after.worst_mm:.4f} mm" in lines.text
     assert "lean_radial_1 = +0.3000 deg" in lines.text
     assert f"rotation_distance: {40 * 1.001:.6f}" in lines.text
     assert "the effect transmission_eccentricity" in lines.text
-    with pytest.raises(UsageError):
-        firmware_lines(printer, "grbl")
+    with pytest.raises(UsageError, match="known: c, klipper, marlin, rrf, table"):
+        exporter_of("grbl")
 
 
 @pytest.mark.parametrize("model", [None, "21"])
@@ -353,7 +354,7 @@ def test_a_machine_beyond_firmware_gets_the_firmware_s_own_fit(
 
 def test_lines_of_a_diagnosed_machine_put_the_bed_first(printer: Robot, rng: np.random.Generator) -> None:
     errors = plausible(rng, LINEAR.model("linear_delta/21"))
-    lines = firmware_lines(dataclasses.replace(printer, errors=errors), "klipper")
+    lines = exporter_of("klipper").describe(dataclasses.replace(printer, errors=errors))
     assert not lines.by_readings
     assert lines.after.bed_rms_mm < 0.5 * lines.before.bed_rms_mm
     assert lines.after.bed_rms_mm < 0.1 * lines.after.lateral_rms_mm
@@ -393,7 +394,7 @@ def test_lines_that_are_worse_than_those_in_the_file_are_refused(
     heights = simulate(printer, recording(printer, grid(100, 30)), {}, noise_mm=0.01, rng=rng)
     found = commands.identify(printer, heights, "6")
     worse = found.replace(heldout_rms_mm=2 * found.before_rms_mm)
-    with pytest.raises(NoSolutionError, match="new lines would be no better"):
+    with pytest.raises(NoSolutionError, match="your current values are already as good"):
         commands.firmware_lines(worse, "klipper", tmp_path / "lines.cfg")
     assert not (tmp_path / "lines.cfg").exists()
 

@@ -24,9 +24,10 @@ from deltacal_gen.pages import figures
 from deltacal_gen.physics.simulation import read_truth
 from deltacal_gen.physics.terms import Term
 from deltacal_gen.results.demo import Check, Concealed, ConcealedParameter, Demo
-from deltacal_gen.use import exports, spans
 from deltacal_gen.use.compensation import Compensator
+from deltacal_gen.use.exporters.c import export_c
 from deltacal_gen.use.prediction import calibrated_robot, known_effects
+from deltacal_gen.use.spans import spans
 
 SEED = 7  # of the channels at the check poses
 
@@ -53,7 +54,7 @@ def run(folder: Path, progress: Callable[[str], None]) -> Demo:
     machine = calibrated_robot(found)
     write_files({files["calibrated.toml"]: robot_to_toml(machine)})
     compensator = Compensator(machine, terms=tuple(known_effects(found)))
-    exports.export_c(compensator, files["command.c"], spans.spans(found))
+    export_c(compensator, files["command.c"], spans(found))
     progress("check against the truth")
     truth = read_truth(source / "truth.toml", robot)
     commanders = (

@@ -43,8 +43,11 @@ class TomlFile:
     @classmethod
     def read(cls, path: str | Path) -> TomlFile:
         """Read and parse; raises InputError for a file that is missing, not UTF-8 or not TOML."""
-        path = Path(path)
-        text = read_text(path)
+        return cls.parse(Path(path), read_text(Path(path)))
+
+    @classmethod
+    def parse(cls, path: Path, text: str) -> TomlFile:
+        """Parse the text of a file; raises InputError where it is not TOML."""
         try:
             return cls(path, text, tomllib.loads(text))
         except (ValueError, RecursionError) as error:
@@ -69,8 +72,7 @@ class TomlFile:
             return schema.model_validate(self.data)
         except ValidationError as error:
             # A misspelt key shows twice, as unknown and as missing: the unknown one can name the right key.
-            flaws = sorted(error.errors(), key=lambda flaw: flaw["type"] != "extra_forbidden")
-            raise self._explained(schema, flaws[0]) from None
+            raise self._explained(schema, min(error.errors(), key=lambda f: f["type"] != "extra_forbidden")) from None
 
     def _explained(self, schema: type[BaseModel], flaw: ErrorDetails) -> InputError:
         keys = [key for key in flaw["loc"] if isinstance(key, str)]

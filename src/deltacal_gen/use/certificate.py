@@ -13,7 +13,7 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
-from deltacal_gen.estimation.residuals import lengths
+from deltacal_gen.estimation.residuals import lengths, rms
 from deltacal_gen.instrument.kind import Readings
 from deltacal_gen.instrument.kinds import readings
 from deltacal_gen.machine.registry import Array, mechanism_of
@@ -27,7 +27,7 @@ from deltacal_gen.results.validation import Validation
 from deltacal_gen.states import RECORDED
 from deltacal_gen.use import bands
 from deltacal_gen.use.prediction import Place, calibrated_robot, predict, residual
-from deltacal_gen.use.validation import has_place, validate
+from deltacal_gen.use.validation import error_sizes, has_place, validate
 
 
 class Checked(NamedTuple):
@@ -96,14 +96,12 @@ def _as_drawn(result: Result | Diagnosis) -> MachineState:
 
 
 def _errors(of: Literal["as drawn", "calibrated"], found: Readings, r: Array) -> Errors:
-    read = lengths(r, found.kind)
-    size = np.linalg.norm(np.nan_to_num(read), axis=1)
-    return Errors(of=of, rms_mm=_rms(read), mean_mm=float(size.mean()), worst_mm=float(size.max()))
+    size = error_sizes(r, found.kind)
+    return Errors(of=of, rms_mm=_rms(lengths(r, found.kind)), mean_mm=float(size.mean()), worst_mm=float(size.max()))
 
 
 def _rms(values: Array) -> float:
-    values = values[np.isfinite(values)]
-    return float(np.sqrt(np.mean(values**2))) if len(values) else 0.0
+    return float(np.nan_to_num(rms(values)))
 
 
 class _Line(NamedTuple):

@@ -62,50 +62,23 @@ def compare(before: Calibration, after: Calibration) -> Comparison:
             f"the robot files differ in {', '.join(other)}, which no parameter of the model carries.",
             "Identify both sessions from the same robot file.",
         )
-    from scipy.special import ndtri  # half of a command's start, of which few compare
-
     told = [{p.name: p for p in r.parameters} for r in (before, after)]
     entries = []
     for p in mechanism.parameters:
         a, b = (t[p.name] for t in told)
         # the robots hold all that is known; a file that was calibrated before has a part of it in its own table
         gap = files.get(p.name, 0.0) + second.errors.get(p.name, 0.0) - first.errors.get(p.name, 0.0)
-        free = [x.status is not Status.FIXED for x in (a, b)]
-        if not any(free) and gap == 0:
-            continue
-        known = all(x.std is not None or not f for x, f in zip((a, b), free, strict=True))
-        std = float(np.hypot(a.std or 0.0, b.std or 0.0)) if known else None
-        change = gap / to_internal(p.unit)
-        entries.append(
-            Change(
-                name=p.name,
-                before=a.value,
-                after=a.value + change,
-                change=change,
-                std=std,
-                unit=file_unit(p.unit),
+        fixed = [x.status is Status.FIXED for x in (a, b)]
+        if gap or not all(fixed):
+            stds = [0.0 if f and x.std is None else x.std for x, f in zip((a, b), fixed, strict=True)]
+            by, unit = gap / to_internal(p.unit), file_unit(p.unit)
+            entries.append(
+                Change(name=p.name, before=a.value, after=a.value + by, change=by, std=_both(*stds), unit=unit)
             )
-        )
-    unknown = [e for e in entries if e.std is None]
     same_file = not files and first.errors.keys() == second.errors.keys()
-    combined = _combinations(before, after) if unknown and same_file else []
-    limit = float(-ndtri(CHANCE / 2 / max(len(entries) - len(unknown), len(combined), 1)))
-    changed, unchanged = _told_apart(entries, limit)
-    new, old = _told_apart(combined, limit)
-    moved = _moved(first, second)
-    fits = [r for r in (before, after) if isinstance(r, Result)]
-    said = [r.flattered for r in fits]
-    summary = _summary(moved, new if combined else changed, old if combined else unchanged, len(unknown), limit)
-    return Comparison(
-        summary=" ".join([summary, *filter(None, said)]),
-        moved=moved,
-        limit_std=limit,
-        changed=tuple(changed),
-        unchanged=tuple(unchanged),
-        unknown=tuple(unknown),
-        combinations_changed=tuple(new) if combined else None,
-        combinations_unchanged=tuple(old) if combined else None,
-    )
+    combined = _combinations(before, after) if same_file and any(e.std is None for e in entries) else []
+    said = [r.flattered for r in (before, after) if isinstance(r, Result)]
+    return _compared(entries, combined, _moved(first, second), said)
 
 
 def compare_in_motion(before: MotionResult | MotionDiagnosis, after: MotionResult | MotionDiagnosis) -> Comparison:
@@ -123,25 +96,39 @@ def compare_in_motion(before: MotionResult | MotionDiagnosis, after: MotionResul
             "the answers are not of one kind: of the same machine and reading, both of identify or both of diagnose.",
             "Give two sessions of one machine.",
         )
-    from scipy.special import ndtri
-
     told = [_in_motion(r) for r in (before, after)]
     entries = []
     for name in dict.fromkeys((*told[0], *told[1])):
         unit = next(t[name][2] for t in told if name in t)
         (a, s_a, _), (b, s_b, _) = (t.get(name, (0.0, None, unit)) for t in told)
-        std = None if s_a is None or s_b is None else float(np.hypot(s_a, s_b))
-        entries.append(Change(name=name, before=a, after=b, change=b - a, std=std, unit=unit))
+        entries.append(Change(name=name, before=a, after=b, change=b - a, std=_both(s_a, s_b), unit=unit))
+    return _compared(entries)
+
+
+def _both(one: float | None, other: float | None) -> float | None:
+    """Return the standard uncertainty of a difference; None where that of either part is unknown."""
+    return None if one is None or other is None else float(np.hypot(one, other))
+
+
+def _compared(
+    entries: Sequence[Change], combined: Sequence[Change] = (), moved: Moved | None = None, said: Sequence[str] = ()
+) -> Comparison:
+    """Return what changed of all entries; `combined` stand for those that are unknown one by one."""
+    from scipy.special import ndtri  # half of a command's start, of which few compare
+
     unknown = [e for e in entries if e.std is None]
-    limit = float(-ndtri(CHANCE / 2 / max(len(entries) - len(unknown), 1)))
-    changed, unchanged = _told_apart(entries, limit)
+    limit = float(-ndtri(CHANCE / 2 / max(len(entries) - len(unknown), len(combined), 1)))
+    (changed, unchanged), (new, old) = _told_apart(entries, limit), _told_apart(combined, limit)
+    summary = _summary(moved, new if combined else changed, old if combined else unchanged, len(unknown), limit)
     return Comparison(
-        summary=_summary(None, changed, unchanged, len(unknown), limit),
-        moved=None,
+        summary=" ".join([summary, *filter(None, said)]),
+        moved=moved,
         limit_std=limit,
         changed=tuple(changed),
         unchanged=tuple(unchanged),
         unknown=tuple(unknown),
+        combinations_changed=tuple(new) if combined else None,
+        combinations_unchanged=tuple(old) if combined else None,
     )
 
 
@@ -203,22 +190,19 @@ def _combinations(before: Calibration, after: Calibration) -> list[Change]:
     if not isinstance(before, Result) or not isinstance(after, Result):
         return []
     then = {b.name: b for b in before.base or ()}
-    found = []
-    for now in after.base or ():
-        was = then.get(now.name)
-        if was is None or not _alike(was.combination, now.combination):
-            continue
-        found.append(
-            Change(
-                name=now.combination,
-                before=was.value,
-                after=now.value,
-                change=now.value - was.value,
-                std=float(np.hypot(was.std, now.std)),
-                unit=now.unit,
-            )
+    pairs = ((then[now.name], now) for now in after.base or () if now.name in then)
+    return [
+        Change(
+            name=now.combination,
+            before=was.value,
+            after=now.value,
+            change=now.value - was.value,
+            std=_both(was.std, now.std),
+            unit=now.unit,
         )
-    return found
+        for was, now in pairs
+        if _alike(was.combination, now.combination)
+    ]
 
 
 def _alike(one: str, other: str) -> bool:

@@ -6,8 +6,8 @@ machine in static equilibrium with them, at the payload, temperature, time and d
 first order when the errors appear. What it leaves is of second order in the errors, and encoder offsets leave nothing:
 it takes them away exactly, and evaluates the rest at the angles the geometry then sees.
 
-Geometry alone also runs as a compiled function of one pose (`Compensator.servo`); `deltacal_gen.use.exports` writes C99
-and tables for the controller.
+Geometry alone also runs as a compiled function of one pose (`Compensator.servo`); `deltacal_gen.use.exporters`
+write C99 and tables for the controller.
 
 References
 ----------

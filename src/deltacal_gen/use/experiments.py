@@ -86,7 +86,7 @@ def next_rows(questions: Sequence[Open], found: Shared) -> list[Row]:
     for row in found.rows:
         stands = tuple((key, v) for key, v in row.items() if _STANDS.match(key))
         if stands not in labels:
-            labels[stands] = f"{_stem(row)}{label + len(labels)}"
+            labels[stands] = f"{_NUMBER.sub('', str(row.get('pose', '')))}{label + len(labels)}"
         rows.append(row | {"pose": labels[stands]})
     return _in_time(rows)
 
@@ -108,10 +108,6 @@ def _in_time(rows: list[Row]) -> list[Row]:
 def _number(row: Row) -> int:
     found = _NUMBER.search(str(row.get("pose", "")))
     return int(found.group()) if found else 0
-
-
-def _stem(row: Row) -> str:
-    return _NUMBER.sub("", str(row.get("pose", "")))
 
 
 def columns_of(rows: Sequence[Row]) -> dict[str, list[float | str]]:

@@ -1,7 +1,7 @@
 """Feed-forward on a controller: one C99 file of a machine in motion, as it was identified.
 
 Position, velocity and acceleration of the reference point go in, joints and torques come out. The geometry is that of
-`deltacal_gen.use.exports`, the machine in motion is what ``derive/mathematics/loops.py`` derives, put into C as it
+`deltacal_gen.use.exporters.c`, the machine in motion is what ``derive/mathematics/loops.py`` derives, put into C as it
 stands; friction near rest is ramped as in `deltacal_gen.motion.feedforward`.
 """
 
@@ -9,13 +9,11 @@ from __future__ import annotations
 
 import importlib.resources
 from collections.abc import Iterator, Sequence
-from pathlib import Path
 
 import numpy as np
 
 from deltacal_gen.errors import UsageError
 from deltacal_gen.files.robot import robot_of, robot_size
-from deltacal_gen.files.writing import write_files
 from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.machine.dynamics import Dynamics, dynamics_of
 from deltacal_gen.machine.registry import mechanism_of
@@ -27,8 +25,8 @@ from deltacal_gen.physics.terms import load_effect
 from deltacal_gen.results.motion import JointModel, MotionModel, TorqueTerm
 from deltacal_gen.states import SPEEDS, read_by
 from deltacal_gen.units import file_unit, joint_factors, joint_names
+from deltacal_gen.use.command_source import BUILD, c_numbers, c_source, plain, wrapped
 from deltacal_gen.use.compensation import Compensator
-from deltacal_gen.use.exports import BUILD, c_numbers, c_source, plain, wrapped
 
 NO_LIMIT = 1e300  # of a torque, of a joint
 POSED = 6  # joints of a chain that stands in any pose
@@ -119,8 +117,8 @@ int deltacal_feedforward(struct deltacal_motion *held, const double {target}[{as
 """
 
 
-def export_feedforward(known: MotionModel, path: str | Path) -> None:
-    """Write a model of a machine in motion as one C99 file; see the file's head.
+def servo_source(known: MotionModel) -> str:
+    """Return the text of the C99 file of a machine in motion; see its head.
 
     Raises
     ------
@@ -149,7 +147,7 @@ def export_feedforward(known: MotionModel, path: str | Path) -> None:
         "\n".join(_drive(joints)),
         body.read_text(encoding="utf-8"),
     ]
-    write_files({Path(path): "\n".join(parts)})
+    return "\n".join(parts)
 
 
 def _limbs(known: MotionModel, robot: Robot, own: Dynamics, past: int) -> tuple[str, ...]:

@@ -130,12 +130,18 @@ def factor(column: Column, values: Mapping[str, Array | float]) -> Array | float
     return out
 
 
-def drawn(columns: Sequence[Column], over: Spans, n: int) -> dict[str, Array]:
-    """Return random values (n,) of every channel that the columns name, within what was recorded."""
+def drawn(compensator: Compensator, over: Spans, n: int) -> dict[str, Array]:
+    """Return random values (n,) of every channel that the effects may go with, within what was recorded."""
     rng = np.random.default_rng(_SEED)
     known = over.items()
-    names = sorted({c for column in columns for c in column})
+    names = sorted({c for column in columns_of(compensator, compensator.effects, over) for c in column})
     return {name: rng.choice([-1.0, 1.0], n) if name not in known else rng.uniform(*known[name], n) for name in names}
+
+
+def missed(compensator: Compensator, joints: Array, points: Array, values: Mapping[str, Array | float]) -> Array:
+    """Return how far commands (N, n_q) lead off points (N, 3) at values of the channels, (N,) [mm]."""
+    at = channels_of(compensator, len(points), values)
+    return np.asarray(np.linalg.norm(compensator.missed(joints, points, None, at), axis=1))
 
 
 def taken_apart(

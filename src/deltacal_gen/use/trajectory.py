@@ -92,10 +92,8 @@ def _with_joints(rows: Rows, robot: Robot) -> Rows:
     compensator = Compensator(robot)
     near = _followed(compensator, targets, rows.labels("run", blank=False)) if mechanism.many_ways else None
     joints = compensator.joints(targets, near=near)
-    names, factors = (
-        joint_names(mechanism.joint_unit, mechanism.limbs),
-        joint_factors(mechanism.joint_unit, mechanism.limbs),
-    )
+    names = joint_names(mechanism.joint_unit, mechanism.limbs)
+    factors = joint_factors(mechanism.joint_unit, mechanism.limbs)
     cells = {name: [repr(v) for v in values] for name, values in zip(names, (joints / factors).T.tolist(), strict=True)}
     return dataclasses.replace(others, columns=others.columns | cells)
 

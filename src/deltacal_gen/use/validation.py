@@ -8,7 +8,6 @@ mean. They need repeats of a pose; at fewer than two readings they are not given
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterable
 from typing import Literal
 
 import numpy as np
@@ -16,7 +15,7 @@ import numpy as np
 from deltacal_gen.diagnosis.spectrum import never_seen
 from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.estimation.residuals import APART, GROSS, MOST_APART, lengths, rms, wrongly_found
-from deltacal_gen.instrument.kind import Instrument, Readings
+from deltacal_gen.instrument.kind import Instrument, Kind, Readings
 from deltacal_gen.instrument.kinds import instrument_of, readings
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.rotation import from_vector, to_vector
@@ -61,29 +60,32 @@ def validate(result: Result | Diagnosis, recording: Recording) -> Validation:
     """
     found = readings(recording)
     anew: dict[str, Why] = dict.fromkeys(unknown_setups(result, recording), "unknown")
-    if len(anew) < len(recording.setup_names) and has_place(result, recording, found):
+    placeable = has_place(result, recording, found)
+    if placeable and len(anew) < len(recording.setup_names):
         anew |= _elsewhere(result, recording, found, frozenset(anew))
-    if not anew or not has_place(result, recording, found):
-        r = left = residual(result, recording, found)
-        placed: tuple[Placed, ...] = ()
-    else:
-        r = residual(result, recording, found, Place(recording, found, frozenset(anew)))
+    place = Place(recording, found, frozenset(anew)) if placeable and anew else None
+    r = left = residual(result, recording, found, place)
+    placed: tuple[Placed, ...] = ()
+    if place is not None:
         left, placed = _left_out(result, recording, found, anew, r)
     wrong = wrongly_found(left, found)
     left[wrong], r[wrong] = np.nan, np.nan
-    answer = figures(result.sigma_mm, [(found.subset(~wrong), left[~wrong])])
-    degrees = answer.degrees_of_freedom - sum(p.unknowns for p in placed)
-    if placed:
-        squares = float(np.nansum(lengths(r, found.kind) ** 2))
-        good = degrees > 0 and result.sigma_mm > 0
-        answer = answer.replace(
-            placed=placed,
-            degrees_of_freedom=degrees,
-            chi2_per_dof=squares / degrees / result.sigma_mm**2 if good else None,
-        )
+    read, size = lengths(left[~wrong], found.kind), error_sizes(left[~wrong], found.kind)
+    worst = np.argsort(-size)[:WORST]
+    degrees = int(np.isfinite(read).sum()) - sum(p.unknowns for p in placed)
+    good = degrees > 0 and result.sigma_mm > 0
     known = instrument_of(result.instrument)
     unit = known.unit(recording.columns) if known.kind == found.kind else None
-    return answer.replace(
+    return Validation(
+        kind=found.kind.name,
+        readings=int((~wrong).sum()),
+        rms_mm=rms(read),
+        worst_mm=float(size[worst[0]]),
+        sigma_mm=result.sigma_mm,
+        chi2_per_dof=float(np.nansum(lengths(r, found.kind) ** 2)) / degrees / result.sigma_mm**2 if good else None,
+        degrees_of_freedom=degrees,
+        placed=placed or None,
+        rows=tuple(Row(line=int(found.line[~wrong][j]), error_mm=float(size[j])) for j in worst),
         unit=unit and unit[0],
         unit_mm=unit and unit[1],
         gross_errors=tuple(found.line[wrong].tolist()) if found.kind.picked else None,
@@ -95,6 +97,11 @@ def validate(result: Result | Diagnosis, recording: Recording) -> Validation:
         iso9283=_repeated(found, left) if found.kind.positions else None,
         iso230=_of_axis(found, left, recording) if found.kind.positions else None,
     )
+
+
+def error_sizes(r: Array, kind: Kind) -> Array:
+    """Return how long residuals (R, k) are, (R,) [mm]; a component that was not read counts nothing."""
+    return np.asarray(np.linalg.norm(np.nan_to_num(lengths(r, kind)), axis=1))
 
 
 def has_place(result: Known, recording: Recording, found: Readings) -> bool:
@@ -110,29 +117,25 @@ def _elsewhere(
 
     What the machine has become is no motion of it as a whole, so that nothing else takes so much.
     """
-    place = Place(recording, found, unknown)
-    known = residual(result, recording, found, place)
-    codes = [k for k, n in enumerate(recording.setup_names) if n not in unknown]
-    misfit = {k: _rms(known[found.setup == k], found) for k in codes}
-    suspects = [k for k, rms in misfit.items() if rms > SUSPECT * result.sigma_mm]
+    known = residual(result, recording, found, Place(recording, found, unknown))
     elsewhere: dict[str, Why] = {}
-    for k in suspects:
-        name, own = recording.setup_names[k], found.setup == k
+    for k, name in enumerate(recording.setup_names):
+        own = found.setup == k
+        misfit = _rms(known[own], found)
+        if name in unknown or not misfit > SUSPECT * result.sigma_mm:
+            continue
+        mine = found.subset(own)
         try:
-            moved = residual(
-                result, recording, found.subset(own), Place(recording, found.subset(own), frozenset([name]))
-            )
+            moved = residual(result, recording, mine, Place(recording, mine, frozenset([name])))
         except (InputError, NoSolutionError):  # too few readings to tell
             continue
-        if _rms(moved, found) ** 2 < (1 - MOVED) * misfit[k] ** 2:
+        if _rms(moved, found) ** 2 < (1 - MOVED) * misfit**2:
             elsewhere[name] = "elsewhere"
     return elsewhere
 
 
 def _rms(r: Array, found: Readings) -> float:
-    read = lengths(r[~wrongly_found(r, found)], found.kind)
-    read = read[np.isfinite(read)]
-    return float(np.sqrt(np.mean(read**2))) if len(read) else 0.0
+    return rms(lengths(r[~wrongly_found(r, found)], found.kind))
 
 
 def _left_out(
@@ -180,8 +183,7 @@ def _motion(before: Instrument, after: Instrument, result: Result | Diagnosis, n
 
 def _apart(sigma: float, found: Readings, r: Array) -> Apart | None:
     """Return the readings that are far off and no others nearly so; None where there are none, or too many."""
-    read = lengths(r, found.kind)
-    size = np.linalg.norm(np.nan_to_num(read), axis=1)
+    size = error_sizes(r, found.kind)
     order = np.argsort(-size)
     most = int(MOST_APART * len(size))
     least, next_to_it = size[order[:most]], size[order[1 : most + 1]]
@@ -191,7 +193,7 @@ def _apart(sigma: float, found: Readings, r: Array) -> Apart | None:
     far, others = order[: gaps[-1] + 1], order[gaps[-1] + 1 :]
     return Apart(
         lines=tuple(found.line[far].tolist()),
-        rms_of_others_mm=rms(read[others]),
+        rms_of_others_mm=rms(lengths(r[others], found.kind)),
         largest_of_others_mm=float(size[others[0]]),
     )
 
@@ -199,16 +201,18 @@ def _apart(sigma: float, found: Readings, r: Array) -> Apart | None:
 def _repeated(found: Readings, r: Array) -> Iso9283 | None:
     """Return the figures of ISO 9283 for poses that were read at least twice, None where none was."""
     several = [g for g, n in enumerate(np.bincount(found.group)) if n > 1]
-    r = np.where(np.isnan(r).all(axis=0), 0.0, r)  # coordinates that nothing reads
-    repeated = [iso9283.pose(r[found.group == g, :3], np.zeros(3)) for g in several]  # residuals: attained minus wanted
-    if not repeated:
+    if not several:
         return None
+    r = np.where(np.isnan(r).all(axis=0), 0.0, r)  # coordinates that nothing reads
+    # residuals: attained minus wanted
+    figures = [iso9283.pose(r[found.group == g, :3], np.zeros(3)) for g in several]
+    AP, RP = np.transpose([(f.accuracy, f.repeatability) for f in figures])
     return Iso9283(
-        poses=len(repeated),
-        AP_mean_mm=float(np.mean([f.accuracy for f in repeated])),
-        AP_max_mm=float(np.max([f.accuracy for f in repeated])),
-        RP_mean_mm=float(np.mean([f.repeatability for f in repeated])),
-        RP_max_mm=float(np.max([f.repeatability for f in repeated])),
+        poses=len(several),
+        AP_mean_mm=float(AP.mean()),
+        AP_max_mm=float(AP.max()),
+        RP_mean_mm=float(RP.mean()),
+        RP_max_mm=float(RP.max()),
         **_distances(found, r, several),
         note="wanted is what the calibrated model predicts at the joints commanded",
     )
@@ -244,35 +248,6 @@ def _of_axis(found: Readings, r: Array, recording: Recording) -> Iso230 | None:
     )
 
 
-def figures(sigma: float, parts: Iterable[tuple[Readings, Array]]) -> Validation:
-    """Return what `validate` says of readings one by one, against noise of `sigma` [mm].
-
-    They come in parts, each with its residuals (R, k).
-    """
-    count = scalars = 0
-    squares = 0.0
-    rows: list[Row] = []
-    for found, r in parts:
-        read = lengths(r, found.kind)
-        size = np.linalg.norm(np.nan_to_num(read), axis=1)
-        read = read[np.isfinite(read)]
-        count, scalars, squares = count + len(found), scalars + len(read), squares + float(read @ read)
-        rows += [Row(line=int(found.line[j]), error_mm=float(size[j])) for j in np.argsort(-size)[:WORST]]
-        rows = sorted(rows, key=lambda row: -row.error_mm)[:WORST]
-    error = float(np.sqrt(squares / scalars)) if scalars else float("nan")
-    return Validation(
-        kind=found.kind.name,
-        readings=count,
-        rms_mm=error,
-        worst_mm=rows[0].error_mm,
-        sigma_mm=sigma,
-        chi2_per_dof=(error / sigma) ** 2 if sigma > 0 else None,
-        degrees_of_freedom=scalars,
-        never_seen=(),
-        rows=tuple(rows),
-    )
-
-
 def _distances(found: Readings, r: Array, several: list[int]) -> dict[str, float]:
     """Return the distance accuracy between neighbouring repeated poses that were visited equally often."""
     figures = []
@@ -284,8 +259,5 @@ def _distances(found: Readings, r: Array, several: list[int]) -> dict[str, float
             figures.append(iso9283.distance(at, to, float(wanted)))
     if not figures:
         return {}
-    return {
-        "AD_mean_mm": float(np.mean([abs(f.accuracy) for f in figures])),
-        "AD_max_mm": float(np.max([abs(f.accuracy) for f in figures])),
-        "RD_max_mm": float(np.max([f.repeatability for f in figures])),
-    }
+    AD, RD = np.transpose([(abs(f.accuracy), f.repeatability) for f in figures])
+    return {"AD_mean_mm": float(AD.mean()), "AD_max_mm": float(AD.max()), "RD_max_mm": float(RD.max())}

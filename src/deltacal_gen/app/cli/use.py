@@ -19,6 +19,7 @@ from deltacal_gen.app.cli.common import (
     show,
 )
 from deltacal_gen.errors import UsageError
+from deltacal_gen.use import exporters
 
 Trajectory = Annotated[
     bool, typer.Option("--trajectory", help="TARGETS are samples in time: joints and torques, of a result in motion")
@@ -39,7 +40,9 @@ def compensate(
     kind: Annotated[str, typer.Option(help="exact or linear")] = "exact",
     export: Annotated[
         str | None,
-        typer.Option(help="c or table: the compensator; klipper, rrf, marlin: a printer's lines", show_default=False),
+        typer.Option(
+            help=f"for a controller, in place of commands: {', '.join(exporters.names())}", show_default=False
+        ),
     ] = None,
     worst: Annotated[float, typer.Option(help="what a table may leave, mm")] = 0.01,
     bands: Annotated[
@@ -55,37 +58,41 @@ def compensate(
             raise UsageError("--trajectory needs the file of samples, and neither --bands nor --export.")
         _feed_forward(result, targets, output, as_json)
         return
+    if export is not None:
+        _export(result, export, output, kind, worst, as_json)
+        return
     from deltacal_gen.app import commands
     from deltacal_gen.results.written import Joints
-    from deltacal_gen.use.firmware import KINDS
 
     assumed: list[str] = []
-    if export in KINDS and output is not None:
-        import numpy as np
-
-        lines = commands.firmware_lines(result, export, output, tell=assumed.append)
-        found = Joints(kind=kind, export=export, joints=np.zeros((0, 3)), assumed=tuple(assumed), firmware=lines)
-        if as_json:
-            print_json(found)
-        else:
-            show(found)
-            screen.print(f"{lines.kind} lines written to {output}")
-        return
-    joints = commands.compensate(
-        result, targets, output, kind=kind, export=export, worst_mm=worst, bands=bands, tell=assumed.append
-    )
-    found = Joints(kind=kind, export=export, joints=joints, assumed=tuple(assumed))
+    joints = commands.compensate(result, targets, output, kind=kind, bands=bands, tell=assumed.append)
+    found = Joints(kind=kind, export=None, joints=joints, assumed=tuple(assumed))
     if as_json:
         print_json(found)
         return
-    if export is not None:
-        screen.print(f"{kind} compensator written to {output}; what it leaves is stated in the file")
-    elif output is not None:
+    if output is not None:
         screen.print(f"{len(joints)} commands written to {output}")
     else:
         for row in joints:
             screen.print("  ".join(f"{v:12.6f}" for v in row))
     show(found)
+
+
+def _export(result: Path, export: str, output: Path | None, kind: str, worst: float, as_json: bool) -> None:
+    """Export the compensator, and print what is said of it."""
+    import numpy as np
+
+    from deltacal_gen.app import commands
+    from deltacal_gen.results.written import Joints
+
+    told: list[str] = []
+    lines = commands.export_compensator(result, export, output, kind=kind, worst_mm=worst, tell=told.append)
+    found = Joints(kind=kind, export=export, joints=np.zeros((0, 3)), assumed=tuple(told), firmware=lines)
+    if as_json:
+        print_json(found)
+        return
+    show(found)
+    screen.print(f"export {export} written to {output}; the errors that it leaves are stated in the file")
 
 
 def _feed_forward(result: Path, trajectory: Path, output: Path | None, as_json: bool) -> None:

@@ -31,6 +31,7 @@ from deltacal_gen.machine.values import Recording
 from deltacal_gen.motion.kinds import columns_of
 from deltacal_gen.physics.ranges import in_words
 from deltacal_gen.results.certificate import Certificate, Party
+from deltacal_gen.results.diagnosis import Diagnosis
 from deltacal_gen.results.motion import (
     MotionDiagnosis,
     MotionModel,
@@ -82,8 +83,8 @@ def compensate(
     output : path
         JOINTS.csv; with `export` the compensator's own file.
     kind : {"exact", "linear"}
-    export : {"c", "table", "klipper", "rrf", "marlin"}, optional
-        The last three: a printer's own lines, see `firmware_lines`.
+    export : str, optional
+        What to write in place of commands, see `export_compensator`.
     worst_mm : float
         Of a table: what it may leave.
     channels : mapping of (N,) arrays or numbers, optional
@@ -106,9 +107,10 @@ def compensate(
     """
     from deltacal_gen.use import commanded, compensation
 
-    check_output(output, result, targets)
     if export is not None:
-        return _exported(result, export, output, kind, worst_mm, tell)
+        export_compensator(result, export, output, kind=kind, worst_mm=worst_mm, tell=tell)
+        return np.zeros((0, 3))
+    check_output(output, result, targets)
     known = known_result(result)
     compensator = compensation.Compensator(known, kind)
     if targets is None:
@@ -135,48 +137,48 @@ def compensate(
     return found.in_files
 
 
-def _exported(result: Given, export: str, output: Source | None, kind: str, worst_mm: float, tell: Progress) -> Array:
-    """Write a compensator as a controller reads it; return commands (0, n_q), there being no targets."""
-    from deltacal_gen.use import compensation, exports, firmware, spans, tables
+def export_compensator(
+    result: Given,
+    export: str,
+    output: Source | None,
+    *,
+    kind: str = "exact",
+    worst_mm: float = 0.01,
+    tell: Progress = silent,
+) -> FirmwareLines | None:
+    """Write what was found of a machine for its controller; return the lines of a printer's firmware.
 
-    if isinstance(moving := known_model(result), MotionModel):
-        _export_in_motion(moving, export, output)
-        return np.zeros((0, len(moving.columns)))
-    known = known_result(result)
-    if export in firmware.KINDS:
-        firmware_lines(known, export, _written_to(output), tell=tell)
-        return np.zeros((0, 3))
-    compensator = compensation.Compensator(known, kind)
-    over = spans.spans(known)
-    writers = {
-        "c": lambda path: exports.export_c(compensator, path, over),
-        "table": lambda path: tables.export_table(compensator, path, over, worst_mm=worst_mm),
-    }
-    if export not in writers:
-        known_exports = ", ".join([*writers, *firmware.KINDS])
-        raise UsageError(f"there is no export '{export}' for {compensator.robot.mechanism}; known: {known_exports}.")
-    compensator.needs_loops(f"export '{export}'")
-    path = _written_to(output)
-    if known.correction is not None:
-        tell("the smooth correction is not part of an export; compensate targets instead")
-    writers[export](path)
-    return np.zeros((0, compensator.mechanism.limbs))
+    Parameters
+    ----------
+    export : str
+        One of `deltacal_gen.use.exporters.names`.
+    output : path
+        The export's own file.
+    kind, worst_mm, tell
+        As of `compensate`.
 
+    Raises
+    ------
+    UsageError
+        There is no such export, or none for this machine.
+    """
+    from deltacal_gen.use import exporters
 
-def _written_to(output: Source | None) -> Source:
-    """Return the file that an export writes; raise a UsageError where none is given."""
+    check_output(output, result)
+    known, exporter = known_model(result), exporters.exporter_of(export)
     if output is None:
         raise UsageError("an export needs the file to write: give -o FILE.")
-    return output
+    if isinstance(known, MotionModel):
+        exporter.in_motion(known, Path(output))
+        return None
+    lines = exporter.at_rest(known, Path(output), kind=kind, worst_mm=worst_mm)
+    _tell_of_correction(known, tell)
+    return lines
 
 
-def _export_in_motion(known: MotionModel, export: str, output: Source | None) -> None:
-    """Write a machine in motion for a controller."""
-    from deltacal_gen.use.servo_source import export_feedforward
-
-    if export != "c":
-        raise UsageError(f"there is no export '{export}' of a machine in motion; known: c.")
-    export_feedforward(known, _written_to(output))
+def _tell_of_correction(known: Result | Diagnosis, tell: Progress) -> None:
+    if known.correction is not None:
+        tell("the smooth correction is not part of an export; compensate targets instead")
 
 
 def feed_forward(
@@ -228,7 +230,8 @@ def firmware_lines(result: Given, kind: str, output: Source | None = None, *, te
 
     Parameters
     ----------
-    kind : {"klipper", "rrf", "marlin"}
+    kind : str
+        The firmware, as `compensate` exports for it: klipper, ...
     output : path
         The lines.
 
@@ -239,20 +242,16 @@ def firmware_lines(result: Given, kind: str, output: Source | None = None, *, te
     NoSolutionError
         The lines would be worse than those in the file now; nothing is written.
     """
-    from deltacal_gen.use import firmware, prediction
+    from deltacal_gen.use import exporters, firmware
 
     check_output(output, result)
-    known = known_result(result)
-    robot = prediction.calibrated_robot(known)
-    physics = [t.effect for t in prediction.known_effects(known)]
-    if isinstance(known, Result):
-        found = firmware.lines_of(known, robot, kind, physics)
-    else:
-        found = firmware.firmware_lines(robot, kind, physics, heights_alone=firmware.reads_heights_alone(known))
-    if known.correction is not None:
-        tell("the smooth correction is not part of an export; compensate targets instead")
+    known, exporter = known_result(result), exporters.exporter_of(kind)
+    if not isinstance(exporter, firmware.Firmware):
+        raise UsageError(f"an export '{kind}' has no lines of a printer's firmware.")
+    found = exporter.lines_of(known)
+    _tell_of_correction(known, tell)
     if output is not None:
-        firmware.export_firmware(found, output)
+        write_files({Path(output): found.text})
     return found
 
 

@@ -1,10 +1,10 @@
-"""Exports of a compensator for a controller: one C99 file, or a table of corrections.
+"""A compensator as one C99 file, with the effects that were found.
 
 The geometry of the C file is exact. What effects add is taken apart: an effect whose formula needs nothing but the
 joint, the direction of approach, the temperature and the time stands in the file as it was derived; the others (loads,
 growth of links) become *columns*, a polynomial over the workspace for every product of channels that they depend on, to
-first order in each. A table holds such columns at its nodes. Either file states the error that it leaves against the
-exact machine, over the workspace and over the channels as they were recorded.
+first order in each. The file states the error that it leaves against the exact machine, over the workspace and over
+the channels as they were recorded.
 """
 
 from __future__ import annotations
@@ -17,14 +17,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from importlib.resources.abc import Traversable
-from pathlib import Path
 
 import numpy as np
 
-from deltacal_gen.errors import UsageError
-from deltacal_gen.files.writing import write_files
 from deltacal_gen.identification.accuracy import turned, workspace_of
-from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.machine.places import at
 from deltacal_gen.machine.registry import COORDINATES, SOLVED, Array, Machine, mechanism_of
 from deltacal_gen.machine.rotation import to_vector
@@ -37,11 +33,11 @@ from deltacal_gen.use.spans import (
     LEFT_OUT,
     Column,
     Spans,
-    after_jumps,
     channels_of,
     columns_of,
     drawn,
     factor,
+    missed,
     shift,
     stated,
     tabled,
@@ -65,51 +61,8 @@ BUILD = """#include <float.h>
 _SOURCE = {CompensatorKind.EXACT: "inverse.c", CompensatorKind.LINEAR: "linear.c"}
 
 
-def export_c(compensator: Compensator, path: str | Path, over: Spans | None = None) -> RoundTrip:
-    """Write the compensator as one self-contained C99 file.
-
-    It defines ``int deltacal_compensate(const double target_mm[3], double joints_deg[3])``, which returns 0 (solved),
-    1 (out of reach) or 2 (singular), keeps no state and allocates nothing. The tool point is the robot's. Where the
-    machine has effects there is also ``deltacal_command``, which takes temperature, payload, time and directions of
-    approach beside the target, and returns 3 where one that an effect reads is no finite number.
-
-    Parameters
-    ----------
-    compensator : Compensator
-    path : path
-        Replaced only when the new file is complete.
-    over : Spans, optional
-        Ranges of the channels, for a machine with effects.
-
-    Returns
-    -------
-    RoundTrip
-        What the file's header states.
-
-    Raises
-    ------
-    UsageError
-        An effect remembers, or acts along a position at which the platform also turns on command.
-    InputError
-        The robot has no workspace, or the file cannot be written.
-    """
-    compensator.needs_no_past("C")
-    placed = [t.effect for t in compensator.effects if not _c_effect(t).is_file()]
-    if placed and compensator.mechanism.turning:
-        raise UsageError(
-            f"{', '.join(dict.fromkeys(placed))}: exported as a function of the position alone, and this platform "
-            "turns on command. Write the joints of your targets: deltacal compensate RESULT TARGETS -o JOINTS."
-        )
-    rigid = replace(compensator, terms=())
-    with using(Backend.NUMPY):  # a file holds the same digits wherever it is written from
-        left = rigid.round_trip()
-        live = _Live.of(after_jumps(compensator), over or Spans()) if compensator.effects else None
-        write_files({Path(path): c_source(rigid, left, live)})
-        return left if live is None else live.left
-
-
 @dataclass(frozen=True, eq=False)
-class _Live:
+class LiveEffects:
     """The effects of a C export: polynomials for the columns, and the effects that stand in it as they were derived.
 
     coefficients (columns, n_q, m) of the monomials `powers` (m, 3) in the `_places` of positions.
@@ -123,10 +76,11 @@ class _Live:
     known: tuple[Term, ...]
 
     @staticmethod
-    def of(compensator: Compensator, over: Spans) -> _Live:
+    def of(compensator: Compensator, over: Spans) -> LiveEffects:
+        """Return the effects of a compensator, fitted over the workspace and over spans of the channels."""
         powers = np.array([e for e in itertools.product(range(DEGREE + 1), repeat=3) if sum(e) <= DEGREE])
-        known = tuple(t for t in compensator.effects if _c_effect(t).is_file())
-        others = [t for t in compensator.effects if not _c_effect(t).is_file()]
+        known = tuple(t for t in compensator.effects if effect_source(t).is_file())
+        others = [t for t in compensator.effects if not effect_source(t).is_file()]
         columns = columns_of(compensator, others, over)
         points = turned(compensator.robot, workspace_points(workspace_of(compensator.robot)))[::3]
         rigid = replace(compensator, terms=()).command(points)[0] * compensator.robot.joint_sign
@@ -137,7 +91,7 @@ class _Live:
         coefficients = np.moveaxis(fitted.reshape(len(powers), *found.shape[1:]), 0, 2)
         # a column that nothing goes with is rounding
         kept = [k for k, c in enumerate(coefficients) if np.abs(c).max(initial=0.0) > 1e-13]
-        return _Live(compensator, over, tuple(columns[k] for k in kept), coefficients[kept], powers, known)
+        return LiveEffects(compensator, over, tuple(columns[k] for k in kept), coefficients[kept], powers, known)
 
     def command(self, points: Array, values: Mapping[str, Array | float]) -> Array:
         """Return joints (N, n_q) as the controller counts them [rad or mm], as the C file computes them."""
@@ -173,10 +127,8 @@ class _Live:
     def left(self) -> RoundTrip:
         """What the file leaves at random points of the workspace and random values of the channels."""
         points = turned(self.compensator.robot, workspace_points(workspace_of(self.compensator.robot)))
-        every = columns_of(self.compensator, self.compensator.effects, self.over)
-        values = drawn(every, self.over, len(points))
-        at = channels_of(self.compensator, len(points), values)
-        error = np.linalg.norm(self.compensator.missed(self.command(points, values), points, None, at), axis=1)
+        values = drawn(self.compensator, self.over, len(points))
+        error = missed(self.compensator, self.command(points, values), points, values)
         return RoundTrip(largest(error), len(points), int(np.isnan(error).sum()))
 
 
@@ -198,12 +150,12 @@ def _places(compensator: Compensator, points: Array) -> Array:
     return np.clip(place, -FARTHEST, FARTHEST)
 
 
-def _c_effect(term: Term) -> Traversable:
+def effect_source(term: Term) -> Traversable:
     """Return the C source of an effect's formula; it exists where a controller knows all that the effect reads."""
     return importlib.resources.files("deltacal_kernels").joinpath("effects", f"{term.effect}.c")
 
 
-def c_source(compensator: Compensator, left: RoundTrip, live: _Live | None = None) -> str:
+def c_source(compensator: Compensator, left: RoundTrip, live: LiveEffects | None = None) -> str:
     """Return the text of the C99 file that `export_c` writes; `compensator` is that of the geometry alone."""
     mechanism, kernels, robot = compensator.mechanism, compensator._kernels, compensator.robot
     body = importlib.resources.files("deltacal_kernels").joinpath(mechanism.name, _SOURCE[compensator.kind])
@@ -222,11 +174,11 @@ def c_source(compensator: Compensator, left: RoundTrip, live: _Live | None = Non
     return text if live is None else f"{text}\n{_c_command(live, unit)}"
 
 
-def _c_command(live: _Live, unit: str) -> str:
+def _c_command(live: LiveEffects, unit: str) -> str:
     """Return the function that adds what the effects ask for to the geometry's command."""
     mechanism, n = live.compensator.mechanism, len(live.columns)
     limbs, target = mechanism.limbs, f"target[{len(mechanism.asks)}]" if mechanism.turning else "target_mm[3]"
-    files = dict.fromkeys(_c_effect(t) for t in live.known)
+    files = dict.fromkeys(effect_source(t) for t in live.known)
     sources = [f.read_text(encoding="utf-8") for f in files]
     read = _fields(live.compensator)
     factors = {s.name: _c_factor(s, live.compensator) for s in read if s.per == "machine"}
@@ -276,7 +228,7 @@ def _c_command(live: _Live, unit: str) -> str:
     return "\n".join([*interface, "", *sources, *(_c_tables(live) if n else []), "", *body]) + "\n"
 
 
-def _c_tables(live: _Live) -> list[str]:
+def _c_tables(live: LiveEffects) -> list[str]:
     """Return the polynomials by which the command changes with products of channels, as tables."""
     mechanism, n, m = live.compensator.mechanism, len(live.columns), len(live.powers)
     powers = ",\n      ".join(
@@ -292,7 +244,7 @@ def _c_tables(live: _Live) -> list[str]:
     ]
 
 
-def _c_smooth(live: _Live, factors: Mapping[str, str]) -> list[str]:
+def _c_smooth(live: LiveEffects, factors: Mapping[str, str]) -> list[str]:
     """Return the lines that add the polynomials to the joints; `factors` are channels as C writes them."""
     limbs, n, m = live.compensator.mechanism.limbs, len(live.columns), len(live.powers)
     ends = zip(*(values.tolist() for values in _box(live.compensator)), strict=True)
@@ -322,7 +274,7 @@ def _c_smooth(live: _Live, factors: Mapping[str, str]) -> list[str]:
     ]
 
 
-def _c_known(live: _Live) -> list[str]:
+def _c_known(live: LiveEffects) -> list[str]:
     """Return the lines that take off what effects move the joints by, which may depend on the joints."""
     limbs = live.compensator.mechanism.limbs
     lines = [f"    for (turn = 0; turn < {TURNS}; turn++) {{", f"        double moved[{limbs}] = {{ 0.0 }};"]
@@ -391,7 +343,7 @@ def _c_each(target: str, values: Sequence[str]) -> str:
     return "\n    ".join(f"{target.format(i=i)} = {value};" for i, value in enumerate(values))
 
 
-def _c_header(compensator: Compensator, left: RoundTrip, unit: str, live: _Live | None) -> Iterator[str]:
+def _c_header(compensator: Compensator, left: RoundTrip, unit: str, live: LiveEffects | None) -> Iterator[str]:
     robot, mechanism = compensator.robot, compensator.mechanism
     limbs = mechanism.limbs
     what = {
@@ -435,7 +387,7 @@ def _c_header(compensator: Compensator, left: RoundTrip, unit: str, live: _Live 
     yield from _c_checks(compensator, unit, live)
 
 
-def _c_checks(compensator: Compensator, unit: str, live: _Live | None) -> Iterator[str]:
+def _c_checks(compensator: Compensator, unit: str, live: LiveEffects | None) -> Iterator[str]:
     """Yield targets with their joints."""
     robot, mechanism = compensator.robot, compensator.mechanism
     checks = turned(robot, np.round(workspace_points(workspace_of(robot))[[-3, -7, -70]], 3))
@@ -490,7 +442,7 @@ def _as_files(mechanism: Machine, targets: Array) -> Array:
     return whole[:, [COORDINATES.index(name) for name in mechanism.asks]]
 
 
-def _c_effects(live: _Live) -> Iterator[str]:
+def _c_effects(live: LiveEffects) -> Iterator[str]:
     compensator, left = live.compensator, live.left
     yield ""
     yield "deltacal_compensate knows the geometry only; use deltacal_command, which also knows"

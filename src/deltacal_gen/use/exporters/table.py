@@ -5,40 +5,77 @@ from __future__ import annotations
 import itertools
 import json
 import math
-import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any, Literal
 
 import numpy as np
+from pydantic import Field
+from scipy.interpolate import RegularGridInterpolator
+from scipy.ndimage import binary_dilation
 
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
-from deltacal_gen.files.toml import read_text
+from deltacal_gen.files.toml import Number, Positive, Table, TomlFile, Vector, read_text
 from deltacal_gen.files.writing import write_files
 from deltacal_gen.identification.accuracy import workspace_of
 from deltacal_gen.machine.registry import SOLVED, UNREACHABLE, Array
+from deltacal_gen.results.diagnosis import Diagnosis
+from deltacal_gen.results.result import Result
 from deltacal_gen.units import file_unit, to_internal
 from deltacal_gen.use.compensation import Compensator, CompensatorKind, RoundTrip, largest, workspace_points
+from deltacal_gen.use.exporters import Exporter
 from deltacal_gen.use.spans import (
     LEFT_OUT,
     Column,
     Spans,
     after_jumps,
-    channels_of,
     columns_of,
     drawn,
     factor,
+    missed,
+    spans,
     stated,
     taken_apart,
 )
 
-LARGEST_TABLE = (
-    200_000  # nodes times columns; beyond this the file has tens of megabytes and the C source is the better export
-)
+LARGEST_TABLE = 200_000  # nodes times columns: beyond, the file has tens of megabytes and C is the better export
 TABLE_DECIMALS = 7  # of a correction in deg or mm: at a metre, 2e-6 mm
+ON_THE_RIM = 1e-9  # of a step: a target on the rim may round to beyond it
 _CHUNK = 100_000  # points evaluated at once
-_TABLE_SCHEMA = "deltacal.table/1"
+_SCHEMA = "deltacal.table/1"
+_KEYS = {  # of the header, by the names of what they hold
+    "worst_mm": "worst_mm",
+    "missed": "missed",
+    "robot": "robot",
+    "mechanism": "mechanism",
+    "model": "model",
+    "kind": "kind",
+    "digest": "parameters_sha256",
+    "tool": "tool_mm",
+    "origin": "origin_mm",
+    "step": "step_mm",
+    "nodes": "nodes",
+    "columns": "columns",
+}
+
+
+class _Header(Table):
+    """The lines ``#:`` of a table."""
+
+    form: Literal["deltacal.table/1"] = Field(alias="schema")
+    worst_mm: Number
+    missed: int
+    robot: str
+    mechanism: str
+    model: str
+    kind: CompensatorKind
+    parameters_sha256: str
+    tool_mm: Vector
+    origin_mm: Vector
+    step_mm: Annotated[tuple[Positive, ...], Field(min_length=3, max_length=3)]
+    nodes: Annotated[tuple[Annotated[int, Field(ge=2)], ...], Field(min_length=3, max_length=3)]
+    columns: tuple[Column, ...] = ((),)
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,7 +93,7 @@ class TableCompensator:
         Worst position error over the workspace, compensated by this table [mm].
     missed : int
         Checked points of the workspace for which the table has no answer.
-    robot, mechanism, kind, digest : str
+    robot, mechanism, model, kind, digest : str
         Of the `Compensator` it was made from.
     joint_unit : {"rad", "mm"}
     tool : (3,) array
@@ -73,6 +110,7 @@ class TableCompensator:
     missed: int
     robot: str
     mechanism: str
+    model: str
     kind: CompensatorKind
     digest: str
     joint_unit: str
@@ -84,6 +122,11 @@ class TableCompensator:
         """Number of nodes along x, y, z."""
         n_x, n_y, n_z = self.corrections.shape[:3]
         return n_x, n_y, n_z
+
+    @property
+    def axes(self) -> list[Array]:
+        """Where the nodes lie along x, y, z [mm]."""
+        return [first + step * np.arange(n) for first, step, n in zip(self.origin, self.step, self.nodes, strict=True)]
 
     def correction(
         self, targets: Array, channels: Mapping[str, Array | float] | None = None
@@ -106,19 +149,11 @@ class TableCompensator:
         targets = np.asarray(targets, dtype=float)
         if targets.ndim != 2 or targets.shape[1] != 3:
             raise ValueError(f"targets have the shape {targets.shape}, but must have (N, 3).")
-        place = (targets - self.origin) / self.step
-        last = np.array(self.nodes) - 1
-        # a target on the rim may round to beside it
-        outside: np.ndarray = np.any(~((place > -1e-9) & (place < last + 1e-9)), axis=1)
-        place = np.where(outside[:, None], 0.0, place)
-        cell = np.clip(place.astype(np.int64), 0, last - 1)
-        part = place - cell
-        found = np.zeros((len(targets), *self.corrections.shape[3:]))
-        for corner in itertools.product((0, 1), repeat=3):
-            weight = np.prod(np.where(corner, part, 1.0 - part), axis=1)
-            i, j, k = (cell + corner).T
-            found += weight[:, None, None] * self.corrections[i, j, k]
-        found[outside] = np.nan
+        ends = self.origin, self.origin + self.step * (np.array(self.nodes) - 1)
+        within = np.clip(targets, *ends)
+        on_the_rim = np.abs(targets - within) < ON_THE_RIM * self.step
+        grid = RegularGridInterpolator(self.axes, self.corrections, bounds_error=False, fill_value=np.nan)
+        found = grid(np.where(on_the_rim, within, targets))
         factors = np.stack([np.broadcast_to(factor(c, values), len(targets)) for c in self.columns], axis=1)
         total = np.einsum("nk,nkj->nj", factors, found)
         return total, np.where(np.isnan(total).any(axis=1), UNREACHABLE, SOLVED)
@@ -173,12 +208,24 @@ def export_table(
             "Export the C source, or write the joints of your targets: deltacal compensate RESULT TARGETS -o JOINTS."
         )
     compensator.needs_no_past("table")
+    compensator.needs_loops("export 'table'")
     over = over or Spans()
     compensator = after_jumps(compensator)
     compensator.round_trip()  # a workspace out of reach is refused here
     table = _sampled(compensator, over, step_mm) if step_mm is not None else _fine_enough(compensator, over, worst_mm)
     write_files({Path(path): _table_text(table, compensator, over)})
     return table
+
+
+class CorrectionTable(Exporter):
+    """The corrections of joint commands as a table."""
+
+    def at_rest(self, known: Result | Diagnosis, path: Path, *, kind: str, worst_mm: float) -> None:
+        """Write the table with the effects, over the channels as they were recorded."""
+        export_table(Compensator(known, kind), path, spans(known), worst_mm=worst_mm)
+
+
+EXPORTER = CorrectionTable()
 
 
 def _fine_enough(compensator: Compensator, over: Spans, worst_mm: float) -> TableCompensator:
@@ -213,14 +260,13 @@ def _floor(compensator: Compensator, over: Spans) -> float:
     """Return what columns leave where they need no interpolation, as it would be stated [mm]."""
     points = workspace_points(workspace_of(compensator.robot))[::7]
     columns = columns_of(compensator, compensator.effects, over)
-    values = drawn(columns, over, len(points))
+    values = drawn(compensator, over, len(points))
     sign = compensator.robot.joint_sign
     q = compensator.nominal_command(points)[0] * sign
     found = taken_apart(compensator, points, columns, over, (), q)
     for k, column in enumerate(columns):
         q = q + np.reshape(factor(column, values), (-1, 1)) * found[:, k]
-    at = channels_of(compensator, len(points), values)
-    return stated(largest(np.linalg.norm(compensator.missed(q * sign, points, None, at), axis=1)))
+    return stated(largest(missed(compensator, q * sign, points, values)))
 
 
 def _sampled(compensator: Compensator, over: Spans, step_mm: float, at_most: float | None = None) -> TableCompensator:
@@ -239,8 +285,7 @@ def _sampled(compensator: Compensator, over: Spans, step_mm: float, at_most: flo
             "Allow a larger one, or export the C source, which needs no grid."
         )
     step = extent / cells
-    axes = [origin[i] + step[i] * np.arange(cells[i] + 1) for i in range(3)]
-    nodes = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 3)
+    nodes = _lattice([origin[i] + step[i] * np.arange(cells[i] + 1) for i in range(3)])
     unit = to_internal(compensator.mechanism.joint_unit)
     sign = compensator.robot.joint_sign
     nominal = compensator.nominal_command(nodes)[0] * sign
@@ -256,6 +301,7 @@ def _sampled(compensator: Compensator, over: Spans, step_mm: float, at_most: flo
         missed=0,
         robot=compensator.robot.name,
         mechanism=compensator.mechanism.name,
+        model=compensator.model,
         kind=compensator.kind,
         digest=compensator.digest,
         joint_unit=compensator.mechanism.joint_unit,
@@ -272,31 +318,33 @@ def _table_errors(table: TableCompensator, compensator: Compensator, over: Spans
     The channels take random values within what was recorded.
     """
     middles = [table.origin[i] + 0.5 * table.step[i] * np.arange(2 * n - 1) for i, n in enumerate(table.nodes)]
-    used = _used(table, radius)
-    lattice = np.stack(np.meshgrid(*middles, indexing="ij"), axis=-1)[used]
-    points = np.vstack([workspace_points(workspace_of(compensator.robot)), lattice.reshape(-1, 3)])
+    points = np.vstack([workspace_points(workspace_of(compensator.robot)), _lattice(middles, _used(table, radius))])
     inside = np.hypot(points[:, 0], points[:, 1]) <= radius * (1 + 1e-12)
-    worst, missed = 0.0, 0
+    worst, unsolved = 0.0, 0
     for start in range(0, len(points), _CHUNK):
         part = points[start : start + _CHUNK]
-        values = drawn(columns_of(compensator, compensator.effects, over), over, len(part))
+        values = drawn(compensator, over, len(part))
         joints = compensator.nominal_command(part)[0] + table.correction(part, values)[0]
-        at = channels_of(compensator, len(part), values)
-        error = np.linalg.norm(compensator.missed(joints, part, None, at), axis=1)
+        error = missed(compensator, joints, part, values)
         worst = max(worst, largest(error))
-        missed += int((np.isnan(error) & inside[start : start + _CHUNK]).sum())
-    return RoundTrip(worst, len(points), missed)
+        unsolved += int((np.isnan(error) & inside[start : start + _CHUNK]).sum())
+    return RoundTrip(worst, len(points), unsolved)
+
+
+def _lattice(axes: Sequence[Array], some: np.ndarray | slice = slice(None)) -> Array:
+    """Return the points (N, 3) of a grid, z running fastest; of `some` lines along z."""
+    points: Array = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1)[some].reshape(-1, 3)
+    return points
 
 
 def _used(table: TableCompensator, radius: float) -> np.ndarray:
     """Tell which columns of half steps (2 n_x - 1, 2 n_y - 1) belong to cells that the cylinder meets."""
-    used = np.zeros((2 * table.nodes[0] - 1, 2 * table.nodes[1] - 1), dtype=bool)
-    edges = [table.origin[i] + table.step[i] * np.arange(table.nodes[i]) for i in range(2)]
     # the point of each interval that is nearest to the axis
-    near_x, near_y = (np.clip(0.0, e[:-1], e[1:]) for e in edges)
-    for i, j in np.argwhere(np.hypot(near_x[:, None], near_y[None, :]) <= radius):
-        used[2 * i : 2 * i + 3, 2 * j : 2 * j + 3] = True
-    return used
+    near_x, near_y = (np.clip(0.0, nodes[:-1], nodes[1:]) for nodes in table.axes[:2])
+    used = np.zeros((2 * table.nodes[0] - 1, 2 * table.nodes[1] - 1), dtype=bool)
+    used[1::2, 1::2] = np.hypot(near_x[:, None], near_y) <= radius
+    met: np.ndarray = binary_dilation(used, np.ones((3, 3)))
+    return met
 
 
 def _table_header(columns: Sequence[Column], joints: int, unit: str) -> list[str]:
@@ -307,7 +355,6 @@ def _table_header(columns: Sequence[Column], joints: int, unit: str) -> list[str
 def _table_text(table: TableCompensator, compensator: Compensator, over: Spans) -> str:
     unit = file_unit(table.joint_unit)
     count = table.corrections.shape[4]
-    n_x, n_y, n_z = table.nodes
     prose: tuple[str, ...] = (
         "Corrections of joint commands: command = nominal inverse position of the target + dq,",
         f"dq1..dq{count} in {unit} as the controller counts, by the position x, y, z in mm of the reference point in",
@@ -331,40 +378,27 @@ def _table_text(table: TableCompensator, compensator: Compensator, over: Spans) 
         )
     if compensator.corrected:
         prose += (f"{LEFT_OUT}: commands for targets in a file have it.",)
-    facts: dict[str, Any] = {
-        "schema": _TABLE_SCHEMA,
-        "worst_mm": table.worst_mm,
-        "missed": table.missed,
-        "robot": table.robot,
-        "mechanism": table.mechanism,
-        "model": compensator.model,
-        "kind": table.kind,
-        "parameters_sha256": table.digest,
-        "tool_mm": [float(v) for v in table.tool],
-        "origin_mm": [float(v) for v in table.origin],
-        "step_mm": [float(v) for v in table.step],
-        "nodes": [n_x, n_y, n_z],
-    }
+    facts = {key: np.array(getattr(table, name)).tolist() for name, key in _KEYS.items() if name != "columns"}
     if len(table.columns) > 1:
-        facts["columns"] = [list(column) for column in table.columns]
+        facts["columns"] = table.columns
     lines = [f"# {line}" for line in prose]
-    lines += [f"#: {key} = {json.dumps(value)}".replace("\x7f", "\\u007f") for key, value in facts.items()]
+    lines += [f"#: {key} = {_toml(value)}" for key, value in {"schema": _SCHEMA, **facts}.items()]
     lines.append(",".join(_table_header(table.columns, count, unit)))
     values = table.corrections.reshape(-1, count * len(table.columns)) / to_internal(table.joint_unit)
-    places = itertools.product(*([f"{v:.6f}" for v in axis] for axis in _axes(table)))
+    places = itertools.product(*([f"{v:.6f}" for v in axis] for axis in table.axes))
     for place, row in zip(places, values, strict=True):
         cells = ("" if math.isnan(v) else f"{v:.{TABLE_DECIMALS}f}" for v in row)
         lines.append(",".join((*place, *cells)))
     return "\n".join(lines) + "\n"
 
 
+def _toml(value: Any) -> str:
+    return json.dumps(value).replace("\x7f", "\\u007f")
+
+
 def _hours(compensator: Compensator) -> str:
     """Return the time as effects count it."""
     return f"(time_s - {compensator.begun!r})" if compensator.begun else "time_s"
-
-
-def _axes(table: TableCompensator) -> list[Array]:
-    return [table.origin[i] + table.step[i] * np.arange(n) for i, n in enumerate(table.nodes)]
 
 
 def read_table(path: str | Path) -> TableCompensator:
@@ -378,66 +412,31 @@ def read_table(path: str | Path) -> TableCompensator:
     path = Path(path)
     lines = read_text(path).split("\n")
     top = next((n for n, line in enumerate(lines) if not line.startswith("#")), len(lines))
-    facts = _table_facts(path, lines[:top])
+    text = "\n".join(line[2:] if line.startswith("#:") else "" for line in lines[:top])
+    if f'"{_SCHEMA}"' not in text:
+        raise _damaged(path, 1, f"a header with schema = {_SCHEMA} was expected")
+    facts = TomlFile.parse(path, text).check(_Header)
     header = lines[top].split(",") if top < len(lines) else []
-    columns = tuple(tuple(column) for column in facts.get("columns", [[]]))
-    joints = len(header[3:]) // len(columns)
-    fitting = [u for u in ("deg", "mm") if header == _table_header(columns, joints, u) and joints]
+    joints = len(header[3:]) // len(facts.columns)
+    fitting = [u for u in ("rad", "mm") if header == _table_header(facts.columns, joints, file_unit(u)) and joints]
     if not fitting:
         raise _damaged(path, top + 1, "the names of the columns, x_mm,y_mm,z_mm,dq1_deg,..., were expected here")
-    unit = "rad" if fitting == ["deg"] else "mm"
-    shape = tuple(facts["nodes"])
     rows = [line for line in lines[top + 1 :] if line]
-    if len(rows) != math.prod(shape):
-        raise _damaged(path, len(lines), f"{math.prod(shape)} rows were expected, but there are {len(rows)}")
+    if len(rows) != math.prod(facts.nodes):
+        raise _damaged(path, len(lines), f"{math.prod(facts.nodes)} rows were expected, but there are {len(rows)}")
     values = np.empty((len(rows), len(header)))
     for n, row in enumerate(rows):
         try:
             values[n] = [float(cell) if cell else math.nan for cell in row.split(",")]
         except ValueError:
             raise _damaged(path, top + 2 + n, f"{len(header)} numbers were expected") from None
-    table = TableCompensator(
-        origin=np.array(facts["origin_mm"], dtype=float),
-        step=np.array(facts["step_mm"], dtype=float),
-        corrections=values[:, 3:].reshape(*shape, len(columns), joints) * to_internal(unit),
-        worst_mm=float(facts["worst_mm"]),
-        missed=int(facts["missed"]),
-        robot=facts["robot"],
-        mechanism=facts["mechanism"],
-        kind=CompensatorKind(facts["kind"]),
-        digest=facts["parameters_sha256"],
-        joint_unit=unit,
-        tool=np.array(facts["tool_mm"], dtype=float),
-        columns=columns,
-    )
-    nodes = np.stack(np.meshgrid(*_axes(table), indexing="ij"), axis=-1).reshape(-1, 3)
-    if len(strays := np.flatnonzero(~(np.abs(values[:, :3] - nodes) < 1e-5).all(axis=1))):
+    corrections = values[:, 3:].reshape(*facts.nodes, len(facts.columns), joints) * to_internal(fitting[0])
+    own: dict[str, Any] = {name: getattr(facts, key) for name, key in _KEYS.items() if name != "nodes"}
+    own |= {name: np.array(own[name]) for name in ("origin", "step", "tool")}
+    table = TableCompensator(corrections=corrections, joint_unit=fitting[0], **own)
+    if len(strays := np.flatnonzero(~(np.abs(values[:, :3] - _lattice(table.axes)) < 1e-5).all(axis=1))):
         raise _damaged(path, top + 2 + int(strays[0]), "x, y, z are not the node that the header's grid has here")
     return table
-
-
-def _table_facts(path: Path, lines: list[str]) -> dict[str, Any]:
-    """Return what the header of a table states, checked for what `read_table` needs."""
-    try:
-        facts = tomllib.loads("\n".join(line.removeprefix("#:") if line.startswith("#:") else "" for line in lines))
-    except tomllib.TOMLDecodeError as error:
-        raise _damaged(path, None, f"the header cannot be read: {error}") from None
-    if facts.get("schema") != _TABLE_SCHEMA:
-        raise _damaged(path, 1, f"a header with schema = {_TABLE_SCHEMA} was expected")
-    numbers = {"worst_mm": 1, "missed": 1, "tool_mm": 3, "origin_mm": 3, "step_mm": 3, "nodes": 3}
-    for key, count in numbers.items():
-        found = facts.get(key)
-        values = found if count > 1 else [found]
-        if not (isinstance(values, list) and len(values) == count and all(type(v) in (int, float) for v in values)):
-            raise _damaged(path, None, f"{key} in the header is {found!r}; {count} number{'s'[: count > 1]} expected")
-    if not (min(facts["nodes"]) >= 2 and all(isinstance(n, int) for n in facts["nodes"]) and min(facts["step_mm"]) > 0):
-        raise _damaged(path, None, "the grid in the header needs 2 or more nodes and a positive step along each axis")
-    for key in ("robot", "mechanism", "kind", "parameters_sha256"):
-        if not isinstance(facts.get(key), str):
-            raise _damaged(path, None, f"{key} in the header is missing")
-    if facts["kind"] not in [*CompensatorKind]:
-        raise _damaged(path, None, f"kind in the header is {facts['kind']!r}; {' or '.join(CompensatorKind)} expected")
-    return facts
 
 
 def _damaged(path: Path, line: int | None, problem: str) -> InputError:
