@@ -8,7 +8,7 @@ export OPENBLAS_NUM_THREADS := 1
 # containers often forbid byte code; the tests start some two hundred processes, and each would compile all modules
 export PYTHONDONTWRITEBYTECODE :=
 
-.PHONY: help demo test test-all checked derived lint kernels bench proof measured clean
+.PHONY: help demo test test-all checked derived lint kernels manual bench proof measured clean
 
 help:  ## this list
 	@sed -n 's/^\([a-z-]*\):[^#]*## /  make \1#/p' $(MAKEFILE_LIST) | while IFS='#' read -r job does; do \
@@ -45,6 +45,9 @@ lint: .venv/dev  ## style, types, who may import whom
 
 kernels: .venv/dev  ## derive and emit the kernels
 	$(BIN)/deltacal kernels
+
+manual: .venv/dev  ## the manual as a site, in build/manual
+	$(BIN)/python -m mkdocs build --strict -f .github/mkdocs.yml
 
 bench: .venv/dev .venv/bench  ## every work beside NumPy, Numba by hand, CasADi and JAX
 	$(BIN)/python -m tests.benchmarks

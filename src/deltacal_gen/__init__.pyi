@@ -16,7 +16,6 @@ from .app.commands import (
     kernels as kernels,
     manual as manual,
     manual_examples as manual_examples,
-    manual_site as manual_site,
     matrix as matrix,
     models as models,
     next_poses as next_poses,

@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 import deltacal_gen as dc
-from deltacal_gen.pages import manual, report
+from deltacal_gen.pages import report
 from deltacal_gen.pages.certificate import certificate
 from derive.review import reports
 from derive.review.subjects import subject
@@ -111,55 +111,3 @@ def test_pages_fit_on_paper(kind: str, browser: Any, pages: dict[str, Path]) -> 
         assert browser.execute_script(BEYOND_PAPER) == []
     finally:
         browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
-
-
-@pytest.fixture(scope="module")
-def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The manual as a site."""
-    return dc.manual_site(tmp_path_factory.mktemp("site")).parent
-
-
-def seen_at(browser: Any, width: int) -> None:
-    """Show the page at a width [px of CSS], as printed where that is the paper's."""
-    metrics = {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": False}
-    browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", metrics)
-    browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print" if width == PAPER else ""})
-
-
-@pytest.mark.parametrize("topic", [manual.CONTENTS, *manual.topics()])
-def test_the_manual_is_readable_from_disk(topic: str, browser: Any, site: Path) -> None:
-    seen_at(browser, WIDTHS[0])
-    browser.get("about:blank")
-    browser.get_log("performance")
-    browser.get((site / f"{topic}.html").as_uri())
-    try:
-        for width in (*WIDTHS, PAPER):
-            seen_at(browser, width)
-            beyond, wide = browser.execute_script(OVERFLOWING)
-            assert beyond <= 0, (topic, width, wide)
-            assert wide == [], (topic, width)
-            assert browser.execute_script(APART) == []
-            broken = "return [...document.images].filter(i => !i.naturalWidth).map(i => i.src)"
-            assert browser.execute_script(broken) == []
-    finally:
-        browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
-    assert [e for e in browser.get_log("browser") if e["level"] in ("SEVERE", "WARNING")] == []
-    sent = [json.loads(e["message"])["message"] for e in browser.get_log("performance")]
-    asked = [m["params"]["request"]["url"] for m in sent if m["method"] == "Network.requestWillBeSent"]
-    assert [url for url in asked if not url.startswith(site.as_uri())] == []
-
-
-def test_the_search_leads_to_what_was_looked_for(browser: Any, site: Path) -> None:
-    metrics = {"width": WIDTHS[0], "height": 900, "deviceScaleFactor": 1, "mobile": False}
-    browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", metrics)
-    browser.get((site / "index.html").as_uri())
-    field = browser.find_element("id", "search")
-    found = browser.find_element("id", "found")
-    field.send_keys("not pinned")
-    assert "Status of a parameter" in found.text
-    field.send_keys(" nonsenseword")
-    assert found.text == "No page has all of these words."
-    field.clear()
-    field.send_keys("status of a parameter\n")
-    assert browser.current_url == (site / "result.html").as_uri() + "#status-of-a-parameter"
-    assert browser.execute_script("return document.getElementById('status-of-a-parameter') !== null")

@@ -109,11 +109,6 @@ def measured(name: str) -> Mapping[str, Any]:
     return table
 
 
-def anchor(heading: str) -> str:
-    """Return the anchor of a heading, as GitHub has it: its words in small letters, joined by hyphens."""
-    return re.sub(r"[^\w\s-]", "", heading.lower()).strip().replace(" ", "-")
-
-
 def for_terminal(text: str) -> str:
     """Return a page's text as a terminal can show it: links name the command that shows their page, pictures go."""
     return _PICTURE.sub("", _LINK.sub(_as_command, text))

@@ -272,7 +272,7 @@ def standalone(svg: str) -> str:
 
 
 def asset(name: str) -> str:
-    """Return a stylesheet or a script of the pages."""
+    """Return the stylesheet of the pages, or a part of them."""
     text: str = (_pages() / name).read_text(encoding="utf-8")
     return text
 

@@ -227,10 +227,10 @@ class Reproduction(Answer):
 
 
 class Manual(Answer):
-    """A page of `manual`, or the files that it wrote."""
+    """A page of `manual`, or the examples that it copied."""
 
     schema: Literal["deltacal.manual/1"] = "deltacal.manual/1"
     topic: str
     text: str | None
-    """Markdown; null where files were written and no topic was asked for."""
+    """Markdown; null where examples were copied and no topic was asked for."""
     files: tuple[str, ...]

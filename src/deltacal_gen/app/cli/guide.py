@@ -28,30 +28,22 @@ def demo(
 
 def manual(
     topic: Annotated[str | None, typer.Argument(metavar="TOPIC", help="without it: all topics")] = None,
-    site: Annotated[
-        Path | None,
-        typer.Option("--site", metavar="FOLDER", help="write all pages as searchable HTML", show_default=False),
-    ] = None,
     examples: Annotated[
         Path | None,
         typer.Option("--examples", metavar="FOLDER", help="copy the files that the pages try", show_default=False),
     ] = None,
     as_json: Json = False,
 ) -> None:
-    """Show a page of the manual; write it as a site; copy the examples that it works on."""
+    """Show a page of the manual, or copy the examples that it works on."""
     from deltacal_gen.app import commands
     from deltacal_gen.pages.manual import CONTENTS, for_terminal
     from deltacal_gen.results.written import Manual
 
-    first = None if site is None else commands.manual_site(site)
     copies = [] if examples is None else commands.manual_examples(examples)
-    text = commands.manual(topic) if topic is not None or (site is None and examples is None) else None
+    text = commands.manual(topic) if topic is not None or examples is None else None
     if as_json:
-        files = tuple(str(path) for path in (*([] if first is None else [first]), *copies))
-        print_json(Manual(topic=topic or CONTENTS, text=text, files=files))
+        print_json(Manual(topic=topic or CONTENTS, text=text, files=tuple(map(str, copies))))
         return
-    if first is not None:
-        screen.print(f"open {first}")
     for path in copies:
         screen.print(str(path))
     if text is not None and screen.is_terminal:

@@ -8,7 +8,7 @@ from __future__ import annotations
 from deltacal_gen.app.commands.calibration import diagnose, identify, matrix
 from deltacal_gen.app.commands.common import PICTURES, check_output
 from deltacal_gen.app.commands.experiments import next_poses, plan, simulate
-from deltacal_gen.app.commands.guide import demo, manual, manual_examples, manual_site
+from deltacal_gen.app.commands.guide import demo, manual, manual_examples
 from deltacal_gen.app.commands.many import batch, study
 from deltacal_gen.app.commands.model_side import claims, derivation, effects, kernels, models, reproduce, trial, warm
 from deltacal_gen.app.commands.use import (
@@ -41,7 +41,6 @@ __all__ = [
     "kernels",
     "manual",
     "manual_examples",
-    "manual_site",
     "matrix",
     "models",
     "next_poses",

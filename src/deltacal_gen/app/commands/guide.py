@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 
 from deltacal_gen.app.commands.common import Progress, Source, make_folder, silent
 from deltacal_gen.errors import InputError
-from deltacal_gen.files.writing import write_files
 
 if TYPE_CHECKING:
     from deltacal_gen.results.demo import Demo
@@ -34,23 +33,6 @@ def manual(topic: str | None = None) -> str:
     from deltacal_gen.pages import manual as pages
 
     return pages.read(topic or pages.CONTENTS).text
-
-
-def manual_site(folder: Source) -> Path:
-    """Write the manual as a site that opens from disk and can be searched; return its first page.
-
-    Raises
-    ------
-    InputError
-        The folder cannot be made or written.
-    """
-    from deltacal_gen.pages import site
-
-    made = site.files(Path(folder))
-    for place in {path.parent for path in made}:
-        make_folder(place)
-    write_files(made)
-    return next(iter(made))
 
 
 def manual_examples(folder: Source) -> list[Path]:
