@@ -259,10 +259,10 @@ def length_unit(text: str) -> str | None:
     return unit if unit in _MM else None
 
 
-def length_mm(text: str, file: Path) -> float:
+def length_mm(text: str) -> float:
     """Return how many mm a unit of length has; raises InputError where it is none."""
     if (unit := length_unit(text)) is None:
-        raise InputError(f"'{text}' is no unit of length.", f"Known: {', '.join(_MM)}.", file=file)
+        raise InputError(f"'{text}' is no unit of length.", f"Known: {', '.join(_MM)}.")
     return _MM[unit]
 
 

@@ -14,6 +14,7 @@ import numpy as np
 
 from deltacal_gen.errors import InputError
 from deltacal_gen.files.imported import Imported, recorded, write_import
+from deltacal_gen.files.naming import naming
 from deltacal_gen.files.robot import Robot, robot_from_dict
 from deltacal_gen.machine.registry import SOLVED, Array, load_mechanism
 from deltacal_gen.machine.values import Measurement, Recording
@@ -25,16 +26,13 @@ DECIMALS = 6  # of mm and deg that are kept: a nanometre, a ten-thousandth of a 
 SPREAD = 0.02  # by which the arms of one printer may differ
 
 
-def printer_robot(name: str, geometry: Mapping[str, Any], belt: float | None, path: Path) -> Robot:
+def printer_robot(name: str, geometry: Mapping[str, Any], belt: float | None) -> Robot:
     """Return a linear delta of this geometry [mm, deg], `belt` in mm per motor turn; raise where there can be none."""
     read = {key: np.round(value, DECIMALS).tolist() for key, value in geometry.items()}
     tables: dict[str, Any] = {"robot": {"name": name, "mechanism": "linear_delta"}, "geometry": read}
     if belt is not None:
         tables["transmission"] = {"pulley_circumference": belt}
-    try:
-        return robot_from_dict(tables)
-    except InputError as error:
-        raise InputError(error.problem, error.remedy, file=path) from None
+    return robot_from_dict(tables)
 
 
 def height_recording(path: Path, q: Array, height: Array, instrument: str, **pairs: Any) -> Recording:
@@ -55,9 +53,41 @@ def map_recording(robot: Robot, nozzle: Array, z: Array, trigger: float, path: P
         raise InputError(
             f"the printer cannot stand at x = {x:.1f}, y = {y:.1f} mm of the map with the geometry beside it.",
             "Give the geometry that was in force when the map was probed; check arm length and radius.",
-            file=path,
         )
     return height_recording(path, q, np.full(len(q), trigger), "bed probe, a mesh over the bed")
+
+
+def from_codes(
+    config: Path,
+    m665: Mapping[str, float],
+    arms: Sequence[float],
+    endstops: Sequence[float],
+    bed: tuple[Array, Array],
+    probe: Mapping[str, float],
+    trigger: float,
+    map_file: Path,
+) -> tuple[Robot, Recording]:
+    """Return the printer that codes describe, and its bed as it was probed.
+
+    Parameters
+    ----------
+    m665, probe : mapping
+        The numbers of M665 (R, and angles X, Y, Z), and how far the probe is from the nozzle (X, Y), by letters.
+    arms, endstops : sequence of float
+        [mm]
+    bed : (n, 2) array, (n,) array
+        Places of the probe and heights [mm].
+    trigger : float
+        Height of the nozzle where the probe fires [mm].
+    """
+    angles = [angle + m665.get(axis, 0.0) for angle, axis in zip(ANGLES, "XYZ", strict=True)]
+    geometry = {"radius": m665["R"], "arm_length": arms, "tower_angle": angles, "endstop": endstops}
+    with naming(config):
+        robot = printer_robot(config.stem, geometry, PULLEY)
+    points, z = bed
+    offset = np.array([probe.get(axis, 0.0) for axis in "XY"])
+    with naming(map_file):
+        return robot, map_recording(robot, points - offset, z, trigger, map_file)
 
 
 def doubt_arms(arms: Sequence[float]) -> tuple[str, ...]:
@@ -74,17 +104,12 @@ def doubt_arms(arms: Sequence[float]) -> tuple[str, ...]:
 
 
 def done(
-    robot: Robot,
-    recordings: dict[str, Recording],
-    warnings: tuple[str, ...],
-    path: Path,
-    output: str | Path | None,
+    robot: Robot, recordings: dict[str, Recording], warnings: tuple[str, ...], output: str | Path | None
 ) -> Imported:
     """Return what was imported, written into a folder where there is one; raise where nothing was measured."""
     if not recordings:
         raise InputError(
             "there are neither heights, distances nor a bed mesh in the file.",
             "Run DELTA_CALIBRATE or BED_MESH_CALIBRATE and SAVE_CONFIG, and give the file again.",
-            file=path,
         )
     return write_import(Imported(robot, recordings, warnings), output)

@@ -13,9 +13,9 @@ from pathlib import Path
 import numpy as np
 
 from deltacal_gen.errors import InputError
-from deltacal_gen.files.imported import Imported, recorded, robot_with
+from deltacal_gen.files.imported import Imported, recorded
 from deltacal_gen.machine.registry import Array
-from deltacal_gen.machine.values import POSITION, ROTATION
+from deltacal_gen.machine.values import POSITION, ROTATION, Robot
 from deltacal_gen.states import TIME
 
 GAP = 3.0  # periods: joints that far apart say nothing of what is between
@@ -128,7 +128,7 @@ def _at_rest(joints: Samples, readings: Samples, rests: list[tuple[float, float]
 
 
 def imported(
-    joined: Joined, units: tuple[str, ...], robot: str | Path | None, path: Path, told: tuple[str, ...] = ()
+    joined: Joined, units: tuple[str, ...], machine: Robot | None, path: Path, told: tuple[str, ...] = ()
 ) -> Imported:
     """Return rows as a recording: of positions, or of poses where rotation vectors [rad] stand beside.
 
@@ -136,17 +136,11 @@ def imported(
     ----------
     units : tuple of str
         Of the joints, rad or mm.
-    robot : path, optional
-        Robot file, by which the joints are counted.
-
-    Raises
-    ------
-    InputError
-        The robot has other joints.
+    machine : Robot, optional
+        It is written beside the recording.
     """
-    machine, own = robot_with(robot, joined.joints.shape[1], path)
     posed = joined.readings.shape[1] == len(POSITION + ROTATION)
     kind, columns = ("pose", POSITION + ROTATION) if posed else ("position", POSITION)
     channels = {TIME: joined.time - joined.time[0]}
-    recording = recorded(path, kind, own or units, joined.joints, columns, joined.readings, channels=channels)
+    recording = recorded(path, kind, units, joined.joints, columns, joined.readings, channels=channels)
     return Imported(machine, {"recording": recording}, (*told, *joined.told))

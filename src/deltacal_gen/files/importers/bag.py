@@ -1,14 +1,14 @@
 """Bags of ROS and files of MCAP: joints and what an instrument said, to a recording.
 
 Joints come as JointState; readings as PointStamped, PoseStamped or TransformStamped, in metres as ROS has them. Any
-other message by a mapping (TOML): which topic, which parts of its messages, in which unit. Bags are read by rosbags,
-single files of MCAP by mcap (extra ``bags``).
+other message by a mapping (TOML): which topic, which parts of its messages, in which unit. Bags and
+single files of MCAP are read by rosbags (extra ``bags``).
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Annotated, Any, Literal
@@ -18,6 +18,7 @@ from pydantic import Field
 
 from deltacal_gen.errors import DeltacalError, InputError, UsageError
 from deltacal_gen.files.imported import Imported, robot_with, write_import
+from deltacal_gen.files.naming import naming
 from deltacal_gen.files.quaternions import rotation_vector
 from deltacal_gen.files.samples import Samples, imported, join
 from deltacal_gen.files.toml import Table, TomlFile
@@ -92,74 +93,68 @@ def import_bag(
     """
     path = Path(path)
     said = BagMap() if mapping is None else TomlFile.read(mapping).check(BagMap)
-    with_kinds = dict(_topics(path))
-    of_joints = _chosen(path, with_kinds, joints or said.joints.topic, (JOINTS,), "joints", bool(said.joints.fields))
-    of_readings = _chosen(
-        path, with_kinds, readings or said.readings.topic, READINGS, "readings", bool(said.readings.fields)
-    )
-    logged: dict[str, list[tuple[float, bool, list[float]]]] = {of_joints: [], of_readings: []}
     names = list(said.joints.names)
-    take: dict[str, Callable[[Any], list[float]]] = {
-        of_joints: _fields(said.joints.fields) if said.joints.fields else _by_name(names),
-        of_readings: _fields(said.readings.fields) if said.readings.fields else _body,
-    }
-    for topic, received, message in _messages(path, {of_joints, of_readings}):
-        stamp = _stamp(message)
+    with naming(path), _opened(path) as bag:
+        kinds = {c.topic: c.msgtype.rpartition("/")[2] for c in bag.connections}
+        of_joints = _chosen(kinds, joints or said.joints.topic, (JOINTS,), "joints", said.joints)
+        of_readings = _chosen(kinds, readings or said.readings.topic, READINGS, "readings", said.readings)
+        q, *told = _logged(bag, of_joints, _fields(said.joints.fields) or _by_name(names))
+        y, *more = _logged(bag, of_readings, _fields(said.readings.fields) or _body)
+    machine, units = robot_with(robot, q.values.shape[1], path)
+    if machine is None:
+        units = ("rad" if said.joints.unit in ("rad", "deg") else "mm",) * q.values.shape[1]
+        told.append(f"without a robot file the joints are taken to be in {units[0]}")
+    if names:
+        told.insert(0, f"joints 1 to {len(names)} are {', '.join(names)}")
+    scaled = Samples(q.name, q.time, q.values * _joint_scales(said.joints.unit, units))
+    body = _scaled(y.values, said.readings) if said.readings.fields else y.values
+    joined = join(scaled, Samples(y.name, y.time + offset_s, body), moving=moving, path=path)
+    told = [f"joints from {of_joints}, readings from {of_readings}", *told, *more]
+    return write_import(imported(joined, units, machine, path, tuple(told)), output)
+
+
+def _logged(bag: Any, topic: str, take: Callable[[Any], list[float]]) -> tuple[Any, ...]:
+    """Return what `take` finds in the messages of a topic, and what a user should know of their stamps."""
+    times, values, told = list[float](), list[list[float]](), ()
+    for connection, received, raw in bag.messages(connections=[c for c in bag.connections if c.topic == topic]):
+        message = bag.deserialize(raw, connection.msgtype)
         try:
-            values = take[topic](message)
+            values.append(take(message))
         except (AttributeError, IndexError, KeyError, TypeError, ValueError) as error:
             raise InputError(
                 f"a message of {topic} is not as the mapping says: {error}.",
                 "Say in the file of --map which parts of the message are meant: fields = [...].",
-                file=path,
             ) from None
-        logged[topic].append((received if stamp is None else stamp, stamp is None, values))
-    count = len(logged[of_joints][0][2]) if logged[of_joints] else 0
-    units = robot_with(robot, count, path)[1] or _usual(said.joints.unit, count)
-    q, y = (_samples(name, rows, path) for name, rows in logged.items())
-    scaled = Samples(q.name, q.time, q.values * _joint_scales(said.joints.unit, units))
-    body = _scaled(y.values, said.readings) if said.readings.fields else y.values
-    joined = join(scaled, Samples(y.name, y.time + offset_s, body), moving=moving, path=path)
-    told = _told(of_joints, of_readings, names, logged, units if robot is None else ())
-    return write_import(imported(joined, units, robot, path, told), output)
-
-
-def _told(
-    of_joints: str, of_readings: str, names: Sequence[str], logged: dict[str, Any], assumed: Sequence[str]
-) -> tuple[str, ...]:
-    out = [f"joints from {of_joints}, readings from {of_readings}"]
-    if names:
-        out.append(f"joints 1 to {len(names)} are {', '.join(names)}")
-    if assumed:
-        out.append(f"without a robot file the joints are taken to be in {assumed[0]}")
-    for topic, rows in logged.items():
-        if any(received for _, received, _ in rows):
-            out.append(f"{topic}: messages without a stamp have the time at which they were logged")
-    return tuple(out)
+        if (stamp := _stamp(message)) is None:
+            told = (f"{topic}: messages without a stamp have the time at which they were logged",)
+        times.append(received * 1e-9 if stamp is None else stamp)
+    if len({len(own) for own in values}) != 1:
+        found = "holds messages of different lengths" if values else "is empty"
+        raise InputError(f"{topic} {found}.", "Look at the bag: ros2 bag info.")
+    return Samples(topic, np.array(times), np.array(values)), *told
 
 
 def _chosen(
-    path: Path, topics: dict[str, str], asked: str | None, kinds: Sequence[str], what: str, mapped: bool
+    topics: Mapping[str, str], asked: str | None, kinds: Sequence[str], what: str, said: JointMap | ReadingMap
 ) -> str:
-    """Return the topic that is asked for, or the only one of some kinds."""
+    """Return the topic that is requested, or the only one of some kinds."""
     fitting = [t for t, kind in topics.items() if kind in kinds]
-    if asked is not None:
-        if asked not in topics:
-            raise InputError(f"there is no topic {asked}.", f"There are {_listed(topics)}.", file=path)
-        if not mapped and asked not in fitting:
-            raise InputError(
-                f"{asked} holds {topics[asked]}, not {' or '.join(kinds)}.",
-                f"Say in the file of --map which parts of it are meant: [{what}] fields = [...].",
-                file=path,
-            )
-        return asked
-    if len(fitting) != 1:
+    if asked is None and len(fitting) == 1:
+        return fitting[0]
+    if asked is None:
         found = f"several topics could be the {what}" if fitting else f"no topic holds {' or '.join(kinds)}"
-        raise InputError(f"{found}.", f"Name one, --{what} TOPIC; there are {_listed(topics)}.", file=path)
-    return fitting[0]
+        raise InputError(f"{found}.", f"Name one, --{what} TOPIC; there are {_listed(topics)}.")
+    if asked not in topics:
+        raise InputError(f"there is no topic {asked}.", f"There are {_listed(topics)}.")
+    if not said.fields and asked not in fitting:
+        raise InputError(
+            f"{asked} holds {topics[asked]}, not {' or '.join(kinds)}.",
+            f"Say in the file of --map which parts of it are meant: [{what}] fields = [...].",
+        )
+    return asked
 
 
-def _listed(topics: dict[str, str]) -> str:
+def _listed(topics: Mapping[str, str]) -> str:
     each = [f"{topic} ({kind})" for topic, kind in sorted(topics.items())]
     return (", ".join(each[:FEW]) + (" ..." if len(each) > FEW else "")) or "none"
 
@@ -188,13 +183,9 @@ def _by_name(names: list[str]) -> Callable[[Any], list[float]]:
     return take
 
 
-def _fields(paths: Sequence[str]) -> Callable[[Any], list[float]]:
-    """Return what takes parts of a message: ``pose.position.x``, ``data[2]``."""
-
-    def take(message: Any) -> list[float]:
-        return [float(_part(message, path)) for path in paths]
-
-    return take
+def _fields(paths: Sequence[str]) -> Callable[[Any], list[float]] | None:
+    """Return what takes parts of a message: ``pose.position.x``, ``data[2]``; None where none are named."""
+    return (lambda message: [float(_part(message, path)) for path in paths]) if paths else None
 
 
 def _part(message: Any, path: str) -> Any:
@@ -209,19 +200,15 @@ def _body(message: Any) -> list[float]:
     """Return x, y, z [mm] of a stamped message, and the rotation vector [rad] of a pose or a transform."""
     if hasattr(message, "point"):
         return [1000.0 * getattr(message.point, axis) for axis in "xyz"]
-    held = getattr(message, "pose", None)
-    place, turn = (held.position, held.orientation) if held is not None else (None, None)
-    if held is None:
+    if hasattr(message, "pose"):
+        place, turn = message.pose.position, message.pose.orientation
+    else:
         place, turn = message.transform.translation, message.transform.rotation
     xyz = [1000.0 * getattr(place, axis) for axis in "xyz"]
     return [*xyz, *rotation_vector(np.array([[getattr(turn, axis) for axis in "xyzw"]]))[0]]
 
 
 # ------------------------------------------------------------------------------------------------------------- units
-
-
-def _usual(unit: str, count: int) -> tuple[str, ...]:
-    return ("rad" if unit in ("rad", "deg") else "mm",) * count
 
 
 def _joint_scales(unit: str, inside: Sequence[str]) -> Array:
@@ -239,87 +226,26 @@ def _scaled(values: Array, said: ReadingMap) -> Array:
     return out
 
 
-def _samples(name: str, rows: Sequence[tuple[float, bool, list[float]]], path: Path) -> Samples:
-    widths = {len(values) for *_, values in rows}
-    if len(widths) != 1:
-        found = "is empty" if not rows else "holds messages of different lengths"
-        raise InputError(f"{name} {found}.", "Look at the bag: ros2 bag info.", file=path)
-    return Samples(name, np.array([t for t, *_ in rows]), np.array([values for *_, values in rows]))
-
-
 # ------------------------------------------------------------------------------------------------------------ formats
 
 
-def _missing(library: str) -> UsageError:
-    return UsageError(f"bags need {library}. Install it: pip install 'deltacal_gen[bags]'.")
-
-
-def _damaged(path: Path, error: Exception) -> InputError:
-    return InputError(
-        f"the bag cannot be read: {type(error).__name__}: {error}.".replace("..", "."),
-        "Give the folder of a ROS 2 bag (with metadata.yaml), a .bag of ROS 1, or a file .mcap.",
-        file=path,
-    )
-
-
-def _topics(path: Path) -> Iterator[tuple[str, str]]:
-    """Yield topics and the last part of what they hold."""
-    if not path.exists():
-        raise InputError("there is no such file or folder.", "Check the path.", file=path)
-    if path.suffix == ".mcap" and path.is_file():
-        with _opened_mcap(path) as reader:
-            summary = reader.get_summary()
-            if summary is None:
-                raise InputError("the file has no summary.", "Repair it: mcap recover.", file=path)
-            for channel in summary.channels.values():
-                schema = summary.schemas.get(channel.schema_id)
-                yield channel.topic, "" if schema is None else schema.name.rpartition("/")[2]
-    else:
-        with _opened_bag(path) as reader:
-            for connection in reader.connections:
-                yield connection.topic, connection.msgtype.rpartition("/")[2]
-
-
-def _messages(path: Path, topics: set[str]) -> Iterator[tuple[str, float, Any]]:
-    """Yield topic, time of receipt [s] and message, in the order of receipt."""
-    if path.suffix == ".mcap" and path.is_file():
-        with _opened_mcap(path) as reader:
-            for _, channel, raw, message in reader.iter_decoded_messages(topics=sorted(topics)):
-                yield channel.topic, raw.log_time * 1e-9, message
-    else:
-        with _opened_bag(path) as reader:
-            wanted = [c for c in reader.connections if c.topic in topics]
-            for connection, received, raw in reader.messages(connections=wanted):
-                yield connection.topic, received * 1e-9, reader.deserialize(raw, connection.msgtype)
-
-
 @contextmanager
-def _opened_bag(path: Path) -> Iterator[Any]:
+def _opened(path: Path) -> Iterator[Any]:
+    """Yield a reader of a bag of either ROS, or of a file of MCAP; raises InputError, UsageError."""
+    if not path.exists():
+        raise InputError("there is no such file or folder.", "Check the path.")
     try:
         from rosbags.highlevel import AnyReader
         from rosbags.typesys import Stores, get_typestore
     except ImportError:
-        raise _missing("rosbags") from None
+        raise UsageError("bags need rosbags. Install it: pip install 'deltacal_gen[bags]'.") from None
     try:
         with AnyReader([path], default_typestore=get_typestore(Stores.LATEST)) as reader:
             yield reader
     except DeltacalError:
         raise
     except Exception as error:  # of a library that lets through whatever is wrong inside a bag
-        raise _damaged(path, error) from None
-
-
-@contextmanager
-def _opened_mcap(path: Path) -> Iterator[Any]:
-    try:
-        from mcap.reader import make_reader
-        from mcap_ros2.decoder import DecoderFactory
-    except ImportError:
-        raise _missing("mcap and mcap-ros2-support") from None
-    try:
-        with path.open("rb") as file:
-            yield make_reader(file, decoder_factories=[DecoderFactory()])
-    except DeltacalError:
-        raise
-    except Exception as error:  # as above
-        raise _damaged(path, error) from None
+        raise InputError(
+            f"the bag cannot be read: {type(error).__name__}: {error}.".replace("..", "."),
+            "Give the folder of a ROS 2 bag (with metadata.yaml), a .bag of ROS 1, or a file .mcap.",
+        ) from None

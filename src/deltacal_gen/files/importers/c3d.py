@@ -14,8 +14,9 @@ import numpy as np
 
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.dialect import length_mm
-from deltacal_gen.files.imported import Imported, write_import
+from deltacal_gen.files.imported import Imported, robot_with, write_import
 from deltacal_gen.files.lists import joints_in_time
+from deltacal_gen.files.naming import naming
 from deltacal_gen.files.quaternions import rotation_vector
 from deltacal_gen.files.rows import Rows, number_of
 from deltacal_gen.files.samples import Samples, imported, join
@@ -56,23 +57,25 @@ def import_c3d(
         ezc3d is not installed.
     """
     path = Path(path)
-    captured = _c3d(path) if path.suffix.lower() == ".c3d" else _table(path)
-    name = _chosen(path, captured, readings)
+    with naming(path):
+        captured = _c3d(path) if path.suffix.lower() == ".c3d" else _table(path)
+        name = _chosen(captured, readings)
     time, q, units = joints_in_time(Path(joints))
     seen = captured[name]
     seen = Samples(seen.name, seen.time + offset_s, seen.values)
     joined = join(Samples(str(joints), time, q), seen, moving=moving, path=path)
-    return write_import(imported(joined, units, robot, path, (f"readings of {name}",)), output)
+    machine, own = robot_with(robot, q.shape[1], Path(joints))
+    return write_import(imported(joined, own or units, machine, path, (f"readings of {name}",)), output)
 
 
-def _chosen(path: Path, captured: Captured, asked: str | None) -> str:
+def _chosen(captured: Captured, asked: str | None) -> str:
     names = [n for n, samples in captured.items() if np.isfinite(samples.values).any()]
     listed = ", ".join(names[:FEW]) + (" ..." if len(names) > FEW else "")
     if asked is not None and asked not in names:
-        raise InputError(f"'{asked}' was not captured.", f"There are {listed or 'none'}.", file=path)
+        raise InputError(f"'{asked}' was not captured.", f"There are {listed or 'none'}.")
     if asked is None and len(names) != 1:
         found = f"{len(names)} markers were captured" if names else "no marker was captured"
-        raise InputError(f"{found}.", f"Name one, --readings NAME; there are {listed or 'none'}.", file=path)
+        raise InputError(f"{found}.", f"Name one, --readings NAME; there are {listed or 'none'}.")
     return asked or names[0]
 
 
@@ -82,17 +85,17 @@ def _c3d(path: Path) -> Captured:
     except ImportError:
         raise UsageError("C3D needs ezc3d. Install it: pip install 'deltacal_gen[c3d]'.") from None
     if not path.is_file():
-        raise InputError("there is no such file.", "Check the path.", file=path)
+        raise InputError("there is no such file.", "Check the path.")
     try:
         found = ezc3d.c3d(str(path))
         told, points = found["parameters"]["POINT"], found["data"]["points"]
         labels, rate = told["LABELS"]["value"], float(told["RATE"]["value"][0])
         unit = (told["UNITS"]["value"] or ["mm"])[0].strip()
     except Exception as error:  # of a library that lets through whatever is wrong inside a file
-        raise InputError(f"this is no C3D file: {error}.", "Export it again.", file=path) from None
+        raise InputError(f"this is no C3D file: {error}.", "Export it again.") from None
     first = int(found["header"]["points"]["first_frame"])
-    time = (first + np.arange(points.shape[2])) / _positive(rate, path)
-    scale = length_mm(unit, path)
+    time = (first + np.arange(points.shape[2])) / _positive(rate)
+    scale = length_mm(unit)
     return {label: Samples(label, time, points[:3, k].T * scale) for k, label in enumerate(labels[: points.shape[1]])}
 
 
@@ -105,7 +108,6 @@ def _table(path: Path) -> Captured:
         raise InputError(
             "this is neither C3D nor a table of Motive or Nexus.",
             "Export the capture as C3D; from Motive as CSV with its header, from Nexus as ASCII with trajectories.",
-            file=path,
         )
     return _motive(path, rows, head)
 
@@ -113,10 +115,10 @@ def _table(path: Path) -> Captured:
 def _motive(path: Path, rows: Sequence[Sequence[str]], head: int) -> Captured:
     """Return what Motive's CSV holds: a header of pairs, then rows Type, Name, ID, what is measured, axes."""
     meta = dict(zip(rows[0][::2], rows[0][1::2], strict=False))
-    scale = length_mm(meta.get("Length Units", "Meters").strip(), path)
+    scale = length_mm(meta.get("Length Units", "Meters").strip())
     above = {row[1].strip(): row for row in rows[:head] if len(row) > 1 and row[1].strip() in ("Type", "Name")}
     if "Name" not in above:
-        raise InputError("the row with names is missing.", "Export with Motive's header.", file=path, line=head + 1)
+        raise InputError("the row with names is missing.", "Export with Motive's header.", line=head + 1)
     kinds = above.get("Type", [""] * len(above["Name"]))
     parts = list(zip(above["Name"], rows[head - 1], rows[head], kinds, strict=False))
     table = _below(path, rows, head + 1, ["frame", "time", *(_part(*own[:3]) for own in parts[2:])])
@@ -140,14 +142,14 @@ def _part(name: str, measured: str, axis: str) -> str:
 def _nexus(path: Path, rows: Sequence[Sequence[str]]) -> Captured:
     """Return what Nexus' ASCII holds under "Trajectories": the rate, names, axes, units, and a row to each frame."""
     if len(rows) < 6:
-        raise InputError("the table ends in its header.", "Export the trajectories again.", file=path, line=len(rows))
+        raise InputError("the table ends in its header.", "Export the trajectories again.", line=len(rows))
     rate = number_of(rows[1][0].strip()) if rows[1] else None
     table = _below(path, rows, 5, [f"column {k + 1}" for k in range(len(rows[3]))])
-    time = table.numbers("column 1")[:, 0] / _positive(rate or 0.0, path)
+    time = table.numbers("column 1")[:, 0] / _positive(rate or 0.0)
     out = {}
     for k, name in enumerate(map(str.strip, rows[2])):
         if name and k + 3 <= len(rows[3]):
-            scale = length_mm(rows[4][k].strip() if k < len(rows[4]) else "mm", path)
+            scale = length_mm(rows[4][k].strip() if k < len(rows[4]) else "mm")
             out[name] = Samples(name, time, table.numbers(*(f"column {n}" for n in range(k + 1, k + 4))) * scale)
     return out
 
@@ -156,13 +158,13 @@ def _below(path: Path, rows: Sequence[Sequence[str]], start: int, names: Sequenc
     """Return what stands below a header, up to the first empty row."""
     end = next((k for k in range(start, len(rows)) if not any(cell.strip() for cell in rows[k])), len(rows))
     if end <= start:
-        raise InputError("there are no frames below the header.", "Export the capture again.", file=path)
+        raise InputError("there are no frames below the header.", "Export the capture again.")
     filled = [[*map(str.strip, row), *[""] * (len(names) - len(row))] for row in rows[start:end]]
     columns = {name: [row[k] for row in filled] for k, name in enumerate(names)}
     return Rows(path, columns, np.arange(start, end) + 1, start)
 
 
-def _positive(rate: float, path: Path) -> float:
+def _positive(rate: float) -> float:
     if not rate > 0:
-        raise InputError("the rate of the frames is missing.", "Export the capture again.", file=path)
+        raise InputError("the rate of the frames is missing.", "Export the capture again.")
     return rate

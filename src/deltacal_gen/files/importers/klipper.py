@@ -21,6 +21,7 @@ import numpy as np
 
 from deltacal_gen.errors import InputError
 from deltacal_gen.files.imported import Imported
+from deltacal_gen.files.naming import naming
 from deltacal_gen.files.printers import ANGLES, TOWERS, done, doubt_arms, height_recording, map_recording, printer_robot
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.files.rows import number_of
@@ -66,131 +67,142 @@ def import_klipper(path: str | Path, output: str | Path | None = None) -> Import
         No delta, or a value that is missing or cannot be; the message names the section and what to do.
     """
     path = Path(path)
-    file = KlipperFile(path)
-    geometry: dict[str, Any] = {
-        "radius": file.number("printer", "delta_radius"),
-        "arm_length": file.towers("arm_length", None),
-        "tower_angle": file.towers("angle", ANGLES),
-        "endstop": file.towers("position_endstop", None),
-    }
-    belt = file.optional("stepper_a", "rotation_distance")
-    robot = printer_robot(path.stem, geometry, belt, path)
-    warnings = (*file.doubts(), *doubt_arms(geometry["arm_length"]))
-    recordings: dict[str, Recording] = {}
-    heights, distances = file.heights(), file.distances()
-    if heights or distances:
-        given = [file.step(tower) for tower in TOWERS]
-        step = np.array([v for v in given if v is not None])
-        if len(step) < len(given):
-            usual, belt, said = _usual_step(robot, heights, path)
-            step, warnings = np.full(3, usual), (*warnings, said)
-            robot = printer_robot(path.stem, geometry, belt, path)
-        else:
-            _check_step(robot, heights, step, path)
-        recordings["recording"] = _session(path, heights, distances, step)
-        warnings += _check_heights(robot, recordings["recording"]) + _check_distances(robot, recordings["recording"])
-    for name, points, z in file.meshes():
-        offset = np.array([file.optional(file.probe, f"{axis}_offset") or 0.0 for axis in "xy"])
-        trigger = file.optional(file.probe, "z_offset") or 0.0
-        recordings[f"mesh_{name}"] = map_recording(robot, points - offset, z, trigger, path)
-    return done(robot, recordings, warnings, path, output)
-
-
-def _session(path: Path, heights: list[Height], distances: list[Distance], step: Array) -> Recording:
-    positions = [h.position for h in heights] + [p for d in distances for p in (d.first, d.second)]
-    measured = np.concatenate([[h.z for h in heights], np.full(2 * len(distances), np.nan)])
-    pairs: dict[str, Any] = {}
-    if distances:
-        pairs = {
-            "pairs": len(heights) + np.arange(2 * len(distances)).reshape(-1, 2),
-            "pair_measured": np.array([d.length for d in distances]),
-            "pair_line": np.arange(2, len(distances) + 2),
+    with naming(path):
+        file = KlipperFile(path)
+        geometry: dict[str, Any] = {
+            "radius": file.number("printer", "delta_radius"),
+            "arm_length": file.towers("arm_length"),
+            "tower_angle": file.towers("angle", ANGLES),
+            "endstop": file.towers("position_endstop"),
         }
-    instrument = "bed probe (heights); caliper on a printed object (distances)" if distances else "bed probe"
-    return height_recording(path, np.array(positions) * step, measured, instrument, **pairs)
+        belt = file.optional("stepper_a", "rotation_distance")
+        robot = printer_robot(path.stem, geometry, belt)
+        warnings = (*file.doubts(), *doubt_arms(geometry["arm_length"]))
+        recordings: dict[str, Recording] = {}
+        probed, ends, lengths = Probed(robot, *file.heights()), *file.distances()
+        if len(probed.z) or len(lengths):
+            step = [file.step(tower) for tower in TOWERS]
+            if None in step:
+                usual, belt = probed.usual_step()
+                step = [usual] * len(TOWERS)
+                robot = printer_robot(path.stem, geometry, belt)
+                warnings += (
+                    f"the file does not say how long a motor step is; {usual:g} mm puts the probed points at their "
+                    f"heights, as of a pulley of {belt:g} mm a turn, which is taken. Correct pulley_circumference in "
+                    "robot.toml if it is another.",
+                )
+            else:
+                probed.check_step(np.array(step, dtype=float))
+            recordings["recording"] = recording = _session(path, probed, ends, lengths, np.array(step, dtype=float))
+            warnings += _check_heights(robot, recording) + _check_distances(robot, recording)
+        for name, points, z in file.meshes():
+            offset = np.array([file.optional(file.probe, f"{axis}_offset") or 0.0 for axis in "xy"])
+            trigger = file.optional(file.probe, "z_offset") or 0.0
+            recordings[f"mesh_{name}"] = map_recording(robot, points - offset, z, trigger, path)
+        return done(robot, recordings, warnings, output)
 
 
-def _usual_step(robot: Robot, heights: list[Height], path: Path) -> tuple[float, float, str]:
-    """Return the step [mm] of a usual pulley that puts the probed points at their heights, its turn [mm], and a word.
+def _session(path: Path, probed: Probed, ends: Array, lengths: Array, step: Array) -> Recording:
+    """Return heights, and distances between pairs of rows below them."""
+    measured = np.concatenate([probed.z, np.full(2 * len(lengths), np.nan)])
+    pairs: dict[str, Any] = {}
+    if len(lengths):
+        pairs = {
+            "pairs": len(probed.z) + np.arange(2 * len(lengths)).reshape(-1, 2),
+            "pair_measured": lengths,
+            "pair_line": np.arange(2, len(lengths) + 2),
+        }
+    instrument = f"bed probe{' (heights); caliper on a printed object (distances)' if pairs else ''}"
+    return height_recording(path, np.vstack([probed.positions, ends]) * step, measured, instrument, **pairs)
 
-    Steps of different pulleys lie 3 % and more apart, which bends the bed by millimetres: one fits, or none.
 
-    Raises
-    ------
-    InputError
-        There are no heights to tell by, or no usual step or more than one fits.
+@dataclass(frozen=True)
+class Probed:
+    """Points that were probed, or measured by hand.
+
+    Attributes
+    ----------
+    robot : Robot
+    positions : (n, 3) array
+        Stable positions of the carriages [motor steps].
+    z : (n,) array
+        Heights [mm].
     """
-    remedy = "Give the whole printer.cfg, with rotation_distance and microsteps (or step_distance)."
-    problem = "the positions are in motor steps, but [stepper_a] does not say how long a step is"
-    if not heights:
-        raise InputError(f"{problem}, and there are no heights to tell by.", remedy, file=path)
-    fitting = _usual_steps(robot, heights)
-    if not fitting or fitting[0][0] > EDITED:
-        raise InputError(f"{problem}, and that of no usual pulley fits.", remedy, file=path)
-    if len(fitting) > 1 and fitting[1][0] < CLEARLY * fitting[0][0]:
-        raise InputError(f"{problem}, and those of two usual pulleys fit.", remedy, file=path)
-    _, step, belt = fitting[0]
-    return (
-        step,
-        belt,
-        f"the file does not say how long a motor step is; {step:g} mm puts the probed points at their heights, as of a "
-        f"pulley of {belt:g} mm a turn, which is taken. Correct pulley_circumference in robot.toml if it is another.",
-    )
 
+    robot: Robot
+    positions: Array
+    z: Array
 
-def _usual_steps(robot: Robot, heights: list[Height]) -> list[tuple[float, float, float]]:
-    """Return how bent the bed comes out with the step of each usual pulley, the step and its turn [mm], best first."""
-    return sorted(
-        (left, step, PITCH * teeth)
-        for teeth, doubled in itertools.product(USUAL_TEETH, range(-1, 9))
-        if np.isfinite(left := _bent(robot, heights, step := PITCH * teeth / (FULL_STEPS * 2.0**doubled)))
-    )
+    def off(self, step: float | Array) -> Array | None:
+        """Return by how much points lie off their heights (n,) [mm]; None where the machine cannot stand so."""
+        mechanism = load_mechanism(self.robot.mechanism)
+        x, status = mechanism.forward(self.positions * step, self.robot.tool, mechanism.rows(self.robot))
+        return x[:, 2] - self.z if (status == SOLVED).all() else None
 
+    def bent(self, step: float | Array) -> float:
+        """Return by how much the heights of points differ from one another with steps of a length [mm].
 
-def _bent(robot: Robot, heights: list[Height], step: float | Array) -> float:
-    """Return by how much the heights of probed points differ from one another with steps of a length [mm].
+        By their shape alone: endstops are edited after the probing. Infinite where the machine cannot stand so.
+        """
+        off = self.off(step)
+        return np.inf if off is None else float(np.ptp(off))
 
-    By their shape alone: endstops are edited after the probing. Infinite where the machine cannot stand so.
-    """
-    off = _heights_off(robot, heights, step)
-    return np.inf if off is None else float(np.ptp(off))
+    def placed(self, step: float | Array) -> bool:
+        """Tell whether steps put the bed where a calibration may have to correct it."""
+        off = self.off(step)
+        return off is not None and abs(float(np.median(off))) <= WRONG_STEP
 
+    def usual_steps(self) -> list[tuple[float, float, float]]:
+        """Return how bent the bed comes out with a usual pulley, its step and its turn [mm], best first."""
+        return sorted(
+            (left, step, PITCH * teeth)
+            for teeth, doubled in itertools.product(USUAL_TEETH, range(-1, 9))
+            if np.isfinite(left := self.bent(step := PITCH * teeth / (FULL_STEPS * 2.0**doubled)))
+        )
 
-def _heights_off(robot: Robot, heights: list[Height], step: float | Array) -> Array | None:
-    """Return by how much probed points lie off their heights (n,) [mm]; None where the machine cannot stand so."""
-    mechanism = load_mechanism(robot.mechanism)
-    positions, z = np.array([h.position for h in heights]), np.array([h.z for h in heights])
-    x, status = mechanism.forward(positions * step, robot.tool, mechanism.rows(robot))
-    return x[:, 2] - z if (status == SOLVED).all() else None
+    def usual_step(self) -> tuple[float, float]:
+        """Return the step [mm] of a usual pulley that puts the points at their heights, and its turn [mm].
 
+        Steps of different pulleys lie 3 % and more apart, which bends the bed by millimetres: one fits, or none.
 
-def _check_step(robot: Robot, heights: list[Height], step: Array, path: Path) -> None:
-    """Raise an InputError where steps put the bed bent and far off, and those of one usual pulley do not.
+        Raises
+        ------
+        InputError
+            There are no heights to tell by, or no usual step or more than one fits.
+        """
+        fitting = self.usual_steps() if len(self.z) else []
+        if not len(self.z):
+            why = "there are no heights to tell by"
+        elif not fitting or fitting[0][0] > EDITED:
+            why = "that of no usual pulley fits"
+        elif len(fitting) > 1 and fitting[1][0] < CLEARLY * fitting[0][0]:
+            why = "those of two usual pulleys fit"
+        else:
+            return fitting[0][1:]
+        raise InputError(
+            f"the positions are in motor steps, but [stepper_a] does not say how long a step is, and {why}.",
+            "Give the whole printer.cfg, with rotation_distance and microsteps (or step_distance).",
+        )
 
-    A printer that was never calibrated has a bed that is bent with the right steps, too, but in its place.
-    """
-    if not heights or (bent := _bent(robot, heights, step)) <= EDITED or _placed(robot, heights, step):
-        return
-    try:
-        usual, belt, _ = _usual_step(robot, heights, path)
-    except InputError:
-        most = min(bent / CLEARLY, WRONG_STEP)
-        better = [own for own in _usual_steps(robot, heights) if own[0] < most and _placed(robot, heights, own[1])]
-        if len(better) != 1:
+    def check_step(self, step: Array) -> None:
+        """Raise an InputError where steps put the bed bent and far off, and those of one usual pulley do not.
+
+        A printer that was never calibrated has a bed that is bent with the right steps, too, but in its place.
+        """
+        if not len(self.z) or (bent := self.bent(step)) <= EDITED or self.placed(step):
             return
-        [(_, usual, belt)] = better
-    raise InputError(
-        f"with steps of {step[0]:g} mm the bed comes out bent and far off, and all distances are off by one factor of "
-        f"{usual / step[0]:.3g}; steps of {usual:g} mm, of a pulley of {belt:g} mm a turn, fit.",
-        "Correct rotation_distance or microsteps.",
-        file=path,
-    )
-
-
-def _placed(robot: Robot, heights: list[Height], step: float | Array) -> bool:
-    """Tell whether steps put the bed where a calibration may have to correct it."""
-    off = _heights_off(robot, heights, step)
-    return off is not None and abs(float(np.median(off))) <= WRONG_STEP
+        try:
+            better = [self.usual_step()]
+        except InputError:
+            most = min(bent / CLEARLY, WRONG_STEP)
+            better = [own for left, *own in self.usual_steps() if left < most and self.placed(own[0])]
+        if len(better) == 1:
+            [(usual, belt)] = better
+            raise InputError(
+                f"with steps of {step[0]:g} mm the bed comes out bent and far off, and all distances are off by one "
+                f"factor of {usual / step[0]:.3g}; steps of {usual:g} mm, of a pulley of {belt:g} mm a turn, fit.",
+                "Correct rotation_distance or microsteps.",
+            )
 
 
 def _check_heights(robot: Robot, recording: Recording) -> tuple[str, ...]:
@@ -201,11 +213,9 @@ def _check_heights(robot: Robot, recording: Recording) -> tuple[str, ...]:
     mechanism = load_mechanism(robot.mechanism)
     x, status = mechanism.forward(recording.joints[rows], robot.tool, mechanism.rows(robot))
     if (status != SOLVED).any():
-        k = int(np.argmax(status != SOLVED))
         raise InputError(
-            f"at height{k}_pos the carriages stand where the rods do not reach.",
+            f"at height{int(np.argmax(status != SOLVED))}_pos the carriages stand where the rods do not reach.",
             "Check rotation_distance, microsteps and arm_length: one of them does not belong to these positions.",
-            file=recording.path,
         )
     off = x[:, 2] - recording.measured[rows, 0]
     if np.ptp(off) < EDITED and abs(np.median(off)) > max(FELT, min(EDITED, CLEARLY * np.ptp(off))):
@@ -223,53 +233,34 @@ def _check_distances(robot: Robot, recording: Recording) -> tuple[str, ...]:
         return ()
     mechanism = load_mechanism(robot.mechanism)
     x, _ = mechanism.forward(recording.joints, robot.tool, mechanism.rows(robot))
-    a, b = recording.pairs.T
-    known = np.linalg.norm(x[b, :3] - x[a, :3], axis=1)
-    off = recording.pair_measured - known
-    same = _repeated(recording)
-    warnings: list[str] = []
-    if len(same):
-        i, j = same[0]
-        raise InputError(
-            f"distance{i} and distance{j} lie between the same two points: one line was entered twice, and another is "
-            "missing.",
-            "Enter the distances again, each in its own place.",
-            file=recording.path,
-        )
-    usual = float(np.median(off))
-    for k in np.flatnonzero(np.isfinite(off)):
-        if abs(off[k] - usual) > ABSURD * known[k]:
-            swapped = next(
-                (
-                    int(m)
-                    for m in range(len(off))
-                    if m != k
-                    and abs(recording.pair_measured[m] - known[k] - usual) < DOUBTFUL
-                    and abs(recording.pair_measured[k] - known[m] - usual) < DOUBTFUL
-                ),
-                None,
-            )
-            cause = f" It agrees with distance{swapped}: the two are exchanged." if swapped is not None else ""
-            raise InputError(
-                f"distance{k} is {recording.pair_measured[k]:.2f} mm, but the printer moved {known[k]:.2f} mm between "
-                f"its two points: no geometry allows that.{cause}",
-                "Measure it again with the callipers in mm; check that the pillar widths were entered too.",
-                file=recording.path,
-            )
-        if abs(off[k] - usual) > DOUBTFUL:
-            warnings.append(
-                f"distance{k} is {off[k] - usual:+.2f} mm off what the others say of this printer: measure it again."
-            )
-    return tuple(warnings)
-
-
-def _repeated(recording: Recording) -> list[tuple[int, int]]:
-    assert recording.pairs is not None
+    first, second = x[recording.pairs.T, :3]
+    known, measured = np.linalg.norm(second - first, axis=1), recording.pair_measured
     ends = [frozenset(map(tuple, recording.joints[pair].round(6).tolist())) for pair in recording.pairs]
-    return [(i, j) for j in range(len(ends)) for i in range(j) if ends[i] == ends[j]]
+    for j, own in enumerate(ends):
+        if (i := ends.index(own)) < j:
+            raise InputError(
+                f"distance{i} and distance{j} lie between the same two points: one line was entered twice, and "
+                "another is missing.",
+                "Enter the distances again, each in its own place.",
+            )
+    usual = float(np.median(measured - known))
+    off = measured - known - usual
+    crossed = np.abs(measured[:, None] - known - usual) < DOUBTFUL
+    exchanged = crossed & crossed.T & ~np.eye(len(known), dtype=bool)
+    for k in np.flatnonzero(np.abs(off) > ABSURD * known):
+        cause = f" It agrees with distance{exchanged[k].argmax()}: the two are exchanged." if exchanged[k].any() else ""
+        raise InputError(
+            f"distance{k} is {measured[k]:.2f} mm, but the printer moved {known[k]:.2f} mm between its two points: no "
+            f"geometry allows that.{cause}",
+            "Measure it again with the callipers in mm; check that the pillar widths were entered too.",
+        )
+    return tuple(
+        f"distance{k} is {off[k]:+.2f} mm off what the others say of this printer: measure it again."
+        for k in np.flatnonzero(np.abs(off) > DOUBTFUL)
+    )
 
 
-def _sections(lines: list[str], path: Path) -> dict[str, dict[str, str]]:
+def _sections(lines: list[str]) -> dict[str, dict[str, str]]:
     """Return the keys and values of each section; comments end lines, as they do in Klipper."""
     bare = [re.sub(r"\s*[#;].*$", "", line) for line in lines]
     start = next((k for k, line in enumerate(bare) if line.startswith("[")), len(bare))
@@ -277,30 +268,11 @@ def _sections(lines: list[str], path: Path) -> dict[str, dict[str, str]]:
     try:
         parser.read_string("\n".join(bare[start:]))
     except configparser.Error as error:
-        raise InputError(
-            f"this is no configuration of Klipper: {str(error).splitlines()[0]}.", "Correct it.", file=path
-        ) from None
+        raise InputError(f"this is no configuration of Klipper: {str(error).splitlines()[0]}.", "Correct it.") from None
     return {
         name.strip(): {key: value for key, value in parser.items(name) if value is not None}
         for name in parser.sections()
     }
-
-
-@dataclass(frozen=True)
-class Height:
-    """A height [mm] that was probed or measured, and the stable position there [motor steps]."""
-
-    z: float
-    position: tuple[float, ...]
-
-
-@dataclass(frozen=True)
-class Distance:
-    """A distance [mm] that was measured on a print, and the stable positions of its ends [motor steps]."""
-
-    length: float
-    first: tuple[float, ...]
-    second: tuple[float, ...]
 
 
 class KlipperFile:
@@ -315,23 +287,21 @@ class KlipperFile:
     """
 
     def __init__(self, path: Path) -> None:
-        self.path = path
         self.absent: list[str] = []
         lines = read_text(path).split("\n")
         saved = [re.sub(r"^#\*# ?", "", line) for line in lines if line.startswith(SAVED)]
-        self.sections = _sections(saved, path)
-        for name, given in _sections(list(self._body(path.resolve(), ())), path).items():
+        self.sections = _sections(saved)
+        for name, given in _sections(list(self._body(path.resolve(), ()))).items():
             self.sections[name] = self.sections.get(name, {}) | given
         header = next((k for k, line in enumerate(lines) if HEADER.match(line)), len(lines))
         self.below = any(line.strip() and not line.startswith(SAVED) for line in lines[header:])
         if "printer" not in self.sections:
-            raise InputError("there is no [printer] in the file.", self.whole, file=path)
+            raise InputError("there is no [printer] in the file.", self.whole)
         if (kinematics := self.sections["printer"].get("kinematics", "delta")) != "delta":
             other = _OTHERS.get(kinematics, "")
             raise InputError(
                 f"the file describes no linear delta ([printer] kinematics: {kinematics}{other}).",
                 "Give the printer.cfg of a printer whose carriages slide on three towers.",
-                file=path,
             )
 
     def _body(self, path: Path, above: tuple[Path, ...]) -> Iterator[str]:
@@ -385,23 +355,21 @@ class KlipperFile:
             return None
         value = number_of(text)
         if value is None or not np.isfinite(value):
-            raise InputError(f"{key} in [{section}] is '{text}': a number was expected.", "Correct it.", file=self.path)
+            raise InputError(f"{key} in [{section}] is '{text}': a number was expected.", "Correct it.")
         return value
 
     def number(self, section: str, key: str) -> float:
         """Return a number; raise where the file does not say."""
         value = self.optional(section, key)
         if value is None:
-            raise InputError(f"{key} in [{section}] is missing.", self.whole, file=self.path)
+            raise InputError(f"{key} in [{section}] is missing.", self.whole)
         return value
 
-    def towers(self, key: str, default: Sequence[float] | None) -> list[float]:
+    def towers(self, key: str, default: Sequence[float] = ()) -> list[float]:
         """Return a value per tower; one that is not given is the default, or that of tower a, as in Klipper."""
         found = [self.optional(tower, key) for tower in TOWERS]
-        if default is None:
-            first = self.number("stepper_a", key)
-            return [first if v is None else v for v in found]
-        return [d if v is None else v for v, d in zip(found, default, strict=True)]
+        instead = default or (self.number("stepper_a", key),) * len(TOWERS)
+        return [d if v is None else v for v, d in zip(found, instead, strict=True)]
 
     def step(self, tower: str) -> float | None:
         """Return mm of belt per step of a tower's motor; None where the file does not say."""
@@ -421,39 +389,35 @@ class KlipperFile:
             raise InputError(
                 f"rotation_distance, microsteps, full_steps_per_rotation or gear_ratio in [{tower}] is 0 or less.",
                 "Correct it.",
-                file=self.path,
             )
         return float(belt * driving / ((full or FULL_STEPS) * micro * driven))
 
-    def _position(self, key: str) -> tuple[float, ...]:
+    def _measured(self, pattern: str, *ends: str) -> tuple[Array, Array]:
+        """Return stable positions (n, 3) [motor steps], those of all ends, and what was measured (k,) [mm]."""
+        keys = [key for key in self.sections.get("delta_calibrate", {}) if re.fullmatch(pattern, key)]
+        keys.sort(key=lambda k: int(re.sub(r"\D", "", k)))
+        positions = [self._position(f"{key}_{end}") for key in keys for end in ends]
+        measured = [self.number("delta_calibrate", key) for key in keys]
+        return np.array(positions).reshape(-1, 3), np.array(measured)
+
+    def _position(self, key: str) -> list[float]:
         text = self.sections["delta_calibrate"].get(key, "")
-        found = tuple(v for cell in text.split(",") if (v := number_of(cell)) is not None and np.isfinite(v))
-        if len(found) != 3 or text.count(",") != 2:
+        found = [number_of(cell) for cell in text.split(",")]
+        if len(found) != 3 or not np.isfinite(np.array(found, dtype=float)).all():
             raise InputError(
                 f"{key} in [delta_calibrate] is '{text}': three positions, separated by commas, were expected.",
                 "Run DELTA_CALIBRATE and SAVE_CONFIG again.",
-                file=self.path,
             )
-        return found
+        return [v for v in found if v is not None]
 
-    def _numbered(self, pattern: str) -> list[str]:
-        keys = self.sections.get("delta_calibrate", {})
-        return sorted((k for k in keys if re.fullmatch(pattern, k)), key=lambda k: int(re.sub(r"\D", "", k)))
+    def heights(self) -> tuple[Array, Array]:
+        """Return where the carriages stood (n, 3) [motor steps] at probed and at manual heights, and these (n,)."""
+        both = [self._measured(pattern, "pos") for pattern in (r"height\d+", r"manual_height\d+")]
+        return np.vstack([q for q, _ in both]), np.concatenate([z for _, z in both])
 
-    def heights(self) -> list[Height]:
-        """Return probed and manual heights."""
-        return [
-            Height(self.number("delta_calibrate", key), self._position(f"{key}_pos"))
-            for pattern in (r"height\d+", r"manual_height\d+")
-            for key in self._numbered(pattern)
-        ]
-
-    def distances(self) -> list[Distance]:
-        """Return the distances that were measured on a print."""
-        return [
-            Distance(self.number("delta_calibrate", key), self._position(f"{key}_pos1"), self._position(f"{key}_pos2"))
-            for key in self._numbered(r"distance\d+")
-        ]
+    def distances(self) -> tuple[Array, Array]:
+        """Return the ends (2 m, 3) [motor steps] of the distances (m,) that were measured on a print, and these."""
+        return self._measured(r"distance\d+", "pos1", "pos2")
 
     def _mesh(self, section: str) -> Array:
         """Return the heights (rows, columns) of a bed mesh [mm]."""
@@ -466,7 +430,7 @@ class KlipperFile:
             problem = f"the rows of points in [{section}] are not equally long."
         else:
             return np.array(cells, dtype=float)
-        raise InputError(problem, "Run BED_MESH_CALIBRATE and SAVE_CONFIG again.", file=self.path)
+        raise InputError(problem, "Run BED_MESH_CALIBRATE and SAVE_CONFIG again.")
 
     def meshes(self) -> list[tuple[str, Array, Array]]:
         """Return name, points (n, 2) and heights (n,) of every bed mesh [mm]."""
@@ -485,7 +449,6 @@ class KlipperFile:
                 raise InputError(
                     f"the name of the mesh '{name[:20]}...' has {len(name)} letters, and a file is named after it.",
                     f"Give it at most {LONGEST_NAME}.",
-                    file=self.path,
                 )
             out.append((name, grid[inside], z[inside]))
         return out

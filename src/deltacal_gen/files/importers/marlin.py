@@ -15,7 +15,8 @@ import numpy as np
 
 from deltacal_gen.errors import InputError
 from deltacal_gen.files.imported import Imported
-from deltacal_gen.files.printers import ANGLES, PULLEY, done, doubt_arms, map_recording, printer_robot
+from deltacal_gen.files.naming import naming
+from deltacal_gen.files.printers import done, doubt_arms, from_codes
 from deltacal_gen.files.toml import read_text
 from deltacal_gen.machine.registry import Array
 
@@ -50,31 +51,23 @@ def import_marlin(path: str | Path, output: str | Path | None = None) -> Importe
     path = Path(path)
     lines = read_text(path).split("\n")
     said = _settings(lines)
-    for letter, what in (("L", "diagonal rod"), ("R", "delta radius"), ("H", "height")):
-        if letter not in said["M665"]:
-            raise InputError(
-                f"the log does not say the {what} (M665 {letter}).",
-                f"Send M503 and give all that it answers; where it does not say it, add a line, M665 {letter} and the "
-                "number that the firmware was built with.",
-                file=path,
-            )
     delta, trims, probe = said["M665"], said["M666"], said["M851"]
-    rods = [delta.get(axis, 0.0) if {"A", "C"} <= delta.keys() else 0.0 for axis in "ABC"]  # B alone: a radius to probe
-    arms = [delta["L"] + trim for trim in rods]
-    geometry = {
-        "radius": delta["R"],
-        "arm_length": arms,
-        "tower_angle": [a + delta.get(axis, 0.0) for a, axis in zip(ANGLES, "XYZ", strict=True)],
-        "endstop": [delta["H"] - trims.get(axis, 0.0) for axis in "XYZ"],  # carriages go down from the switch by it
-    }
-    robot = printer_robot(path.stem, geometry, PULLEY, path)
-    points, z = _heights(lines, path)
-    offset = np.array([probe.get(axis, 0.0) for axis in "XY"])
-    recording = map_recording(robot, points - offset, z, -probe.get("Z", 0.0), path)
+    with naming(path):
+        for letter, what in (("L", "diagonal rod"), ("R", "delta radius"), ("H", "height")):
+            if letter not in delta:
+                raise InputError(
+                    f"the log does not say the {what} (M665 {letter}).",
+                    f"Send M503 and give all that it answers; where it does not say it, add a line, M665 {letter} and "
+                    "the number that the firmware was built with.",
+                )
+        trimmed = {"A", "C"} <= delta.keys()  # B alone: a radius to probe
+        arms = [delta["L"] + (delta.get(axis, 0.0) if trimmed else 0.0) for axis in "ABC"]
+        endstops = [delta["H"] - trims.get(axis, 0.0) for axis in "XYZ"]  # carriages go down from the switch by it
+        robot, recording = from_codes(path, delta, arms, endstops, _heights(lines), probe, -probe.get("Z", 0.0), path)
     warnings = doubt_arms(arms)
     if not probe:
         warnings += ("the log says nothing of the probe (M851): its offset is taken as 0.",)
-    return done(robot, {"recording": recording}, warnings, path, output)
+    return done(robot, {"recording": recording}, warnings, output)
 
 
 def _settings(lines: list[str]) -> dict[str, dict[str, float]]:
@@ -89,11 +82,11 @@ def _settings(lines: list[str]) -> dict[str, dict[str, float]]:
     return said
 
 
-def _heights(lines: list[str], path: Path) -> tuple[Array, Array]:
+def _heights(lines: list[str]) -> tuple[Array, Array]:
     """Return probed points (n, 2) and heights (n,) [mm]."""
     found = [tuple(map(float, m.groups())) for line in lines if (m := _BED.search(line)) is not None]
     if not found:
-        found = list(_topography(lines, path))
+        found = list(_topography(lines))
     if not found:
         grid = any("Bilinear Leveling Grid" in line for line in lines)
         calibrated = any("G33 Auto Calibrate" in line for line in lines)
@@ -104,13 +97,12 @@ def _heights(lines: list[str], path: Path) -> tuple[Array, Array]:
             if calibrated
             else "there are no probed heights in the log.",
             "Probe with G29 V4 (or G29 T of the unified bed levelling) and give its answer too.",
-            file=path,
         )
     table = np.array(found)
     return table[:, :2], table[:, 2]
 
 
-def _topography(lines: list[str], path: Path) -> Iterator[tuple[float, float, float]]:
+def _topography(lines: list[str]) -> Iterator[tuple[float, float, float]]:
     """Yield x, y and height of each probed point of a report of the unified bed levelling."""
     start = next((k for k, line in enumerate(lines) if "Bed Topography Report" in line), None)
     if start is None:
@@ -127,7 +119,6 @@ def _topography(lines: list[str], path: Path) -> Iterator[tuple[float, float, fl
         raise InputError(
             "the topography is not complete: its corners and rows of equal length were expected.",
             "Give the whole answer of G29 T.",
-            file=path,
             line=start + 1,
         )
     (x0, y0), (x1, y1) = corners.min(axis=0), corners.max(axis=0)

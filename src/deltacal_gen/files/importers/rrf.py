@@ -9,7 +9,9 @@ import numpy as np
 
 from deltacal_gen.errors import InputError
 from deltacal_gen.files.imported import Imported
-from deltacal_gen.files.printers import ANGLES, PULLEY, done, doubt_arms, map_recording, printer_robot
+from deltacal_gen.files.naming import naming
+from deltacal_gen.files.printers import done, doubt_arms, from_codes
+from deltacal_gen.files.rows import number_of
 from deltacal_gen.files.toml import read_text
 from deltacal_gen.machine.registry import Array
 
@@ -34,29 +36,24 @@ def import_rrf(config: str | Path, height_map: str | Path, output: str | Path | 
         No M665, or a map that cannot be read; the message names the line.
     """
     config, height_map = Path(config), Path(height_map)
-    said = _gcode(config)
-    if "M665" not in said:
-        raise InputError(
-            "there is no M665, which describes a delta.", "Give the config.g that holds M665 and M666.", file=config
-        )
-    delta, trims = said["M665"], said.get("M666", {})
-    for letter, what in (("R", "delta radius"), ("L", "rod length"), ("H", "homed height")):
-        if letter not in delta:
-            raise InputError(f"M665 has no {letter} ({what}).", f"Add {letter} to M665.", file=config)
-    arms = delta["L"] * 3 if len(delta["L"]) == 1 else delta["L"]
-    trim = np.array([trims.get(axis, [0.0])[0] for axis in "XYZ"])
-    geometry = {
-        "radius": delta["R"][0],
-        "arm_length": arms[:3],
-        "tower_angle": [a + delta.get(axis, [0.0])[0] for a, axis in zip(ANGLES, "XYZ", strict=True)],
-        "endstop": (delta["H"][0] + trim - trim.mean()).tolist(),
-    }
-    robot = printer_robot(config.stem, geometry, PULLEY, config)
-    probe = said.get("G31", {})
-    points, z = _height_map(height_map)
-    offset = np.array([probe.get(axis, [0.0])[0] for axis in "XY"])
-    recording = map_recording(robot, points - offset, z, probe.get("Z", [0.0])[0], height_map)
-    warnings = doubt_arms(geometry["arm_length"])
+    codes = _gcode(config)
+    said = {code: {letter: numbers[0] for letter, numbers in letters.items()} for code, letters in codes.items()}
+    with naming(config):
+        if "M665" not in said:
+            raise InputError(
+                "there is no M665, which describes a delta.", "Give the config.g that holds M665 and M666."
+            )
+        delta, trims, probe = said["M665"], said.get("M666", {}), said.get("G31", {})
+        for letter, what in (("R", "delta radius"), ("L", "rod length"), ("H", "homed height")):
+            if letter not in delta:
+                raise InputError(f"M665 has no {letter} ({what}).", f"Add {letter} to M665.")
+    rods = codes["M665"]["L"]
+    arms = rods * 3 if len(rods) == 1 else rods[:3]
+    trim = np.array([trims.get(axis, 0.0) for axis in "XYZ"])
+    endstops = delta["H"] + trim - trim.mean()
+    bed = _height_map(height_map)
+    robot, recording = from_codes(config, delta, arms, endstops, bed, probe, probe.get("Z", 0.0), height_map)
+    warnings = doubt_arms(arms)
     if "M501" in said and not config.with_name(OVERRIDE).is_file():
         warnings += (
             f"{config.name} loads what M500 has saved (M501), and {OVERRIDE} is not beside it: what it says itself is "
@@ -67,14 +64,7 @@ def import_rrf(config: str | Path, height_map: str | Path, output: str | Path | 
             f"{config.name} says nothing of the probe (G31): its trigger height is taken as 0, which is right for a "
             "nozzle that touches the bed.",
         )
-    return done(robot, {"recording": recording}, warnings, config, output)
-
-
-def _number(text: str) -> float | None:
-    try:
-        return float(text)
-    except ValueError:
-        return None
+    return done(robot, {"recording": recording}, warnings, output)
 
 
 def _gcode(path: Path) -> dict[str, dict[str, list[float]]]:
@@ -104,30 +94,23 @@ def _gcode(path: Path) -> dict[str, dict[str, list[float]]]:
 def _height_map(path: Path) -> tuple[Array, Array]:
     """Return points (n, 2) and heights (n,) of a map; a bare 0 was not probed [mm]."""
     lines = [line for line in read_text(path).split("\n") if line.strip()]
-    if len(lines) < 3 or "height map" not in lines[0]:
-        raise InputError("this is no height map of RepRapFirmware.", "Give heightmap.csv.", file=path)
-    head = dict(zip((w.strip() for w in lines[1].split(",")), (w.strip() for w in lines[2].split(",")), strict=False))
-    try:
-        names = ("min0", "spacing0", "min1", "spacing1") if "min0" in head else ("xmin", "xspacing", "ymin", "yspacing")
-        x0, dx, y0, dy = (float(head[n]) for n in names)
-    except (KeyError, ValueError):
-        raise InputError(
-            "the second and third line do not say where the map's points lie.",
-            "Give the file as it is.",
-            file=path,
-            line=2,
-        ) from None
-    points, z = [], []
-    for j, line in enumerate(lines[3:]):
-        for i, cell in enumerate(line.split(",")):
-            text = cell.strip()
-            if text in ("", "0"):
-                continue
-            try:
-                z.append(float(text))
-            except ValueError:
-                raise InputError(
-                    f"the cell holds '{text}', a number was expected.", "Correct it.", file=path, line=j + 4
-                ) from None
-            points.append((x0 + i * dx, y0 + j * dy))
+    with naming(path):
+        if len(lines) < 3 or "height map" not in lines[0]:
+            raise InputError("this is no height map of RepRapFirmware.", "Give heightmap.csv.")
+        names, values = ([word.strip() for word in line.split(",")] for line in lines[1:3])
+        said = {name: number_of(value) for name, value in zip(names, values, strict=False)}
+        keys = ("min0", "spacing0", "min1", "spacing1") if "min0" in said else ("xmin", "xspacing", "ymin", "yspacing")
+        grid = [value for key in keys if (value := said.get(key)) is not None]
+        if len(grid) < len(keys):
+            problem = "the second and third line do not say where the map's points lie."
+            raise InputError(problem, "Give the file as it is.", line=2)
+        points, z = list[tuple[float, float]](), list[float]()
+        for j, line in enumerate(lines[3:]):
+            for i, cell in enumerate(map(str.strip, line.split(","))):
+                if cell in ("", "0"):
+                    continue
+                if (height := number_of(cell)) is None:
+                    raise InputError(f"the cell holds '{cell}', a number was expected.", "Correct it.", line=j + 4)
+                points.append((grid[0] + i * grid[1], grid[2] + j * grid[3]))
+                z.append(height)
     return np.array(points).reshape(-1, 2), np.array(z)
