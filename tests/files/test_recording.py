@@ -329,6 +329,17 @@ def test_a_ball_bar_s_length_hardly_changes_and_is_no_length_in_metres(read: Any
         check_units(recording, robot, load=lambda name: SIZED)
 
 
+@pytest.mark.parametrize("kind", ["revolute", "prismatic"])
+def test_a_machine_of_no_size_is_refused(tmp_path: Path, kind: str) -> None:
+    (tmp_path / "robot.toml").write_text(f'[robot]\nmechanism = "serial"\n[[joint]]\nkind = "{kind}"\n')
+    robot = dc.read_robot(tmp_path / "robot.toml")
+    joint = "q1_deg" if kind == "revolute" else "q1_mm"
+    (tmp_path / "recording.csv").write_text(f"{joint},x_mm,y_mm,z_mm\n1,1,2,3\n1,2,3,4\n")
+    recording = dc.read_recording(tmp_path / "recording.csv", mechanism_of(robot))
+    with pytest.raises(InputError, match=r"robot.toml: the machine has no size.* Give a and d of its"):
+        check_units(recording, robot)
+
+
 def test_a_wrist_turns_more_than_once() -> None:
     robot = dc.read_robot(example("serial") / "robot.toml")
     plain = dc.read_recording(example("serial") / "recording.csv", mechanism_of(robot))

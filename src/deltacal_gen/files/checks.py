@@ -54,6 +54,12 @@ def check_units(recording: Recording, robot: Robot, *, load: Callable[[str], Mac
         )
     # an axis is as long as it slides
     size = robot_size(robot, load=load) + float(np.ptp(q[:, ~turning], axis=0).max(initial=0.0)) * bool(robot.links)
+    if size == 0:
+        raise InputError(
+            "the machine has no size: the lengths of all its links are 0, and no joint slides in this recording.",
+            "Give a and d of its [[joint]] tables, in mm.",
+            file=robot.source,
+        )
     small_angles = turning.any() and (np.abs(q[:, turning]) <= _RADIANS * DEG).all()
     for column, spread, turn in _spreads(recording, q / np.where(turning, 1.0, size)):
         what = f"the readings spread over {spread:.4g} mm"

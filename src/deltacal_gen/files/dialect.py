@@ -22,6 +22,12 @@ from deltacal_gen.files.columns import DRIVE, JOINT, RESERVED, is_channel
 from deltacal_gen.files.toml import read_bytes
 from deltacal_gen.states import TIME
 
+_FOREIGN = (  # how files begin that are no text
+    (b"PK\x03\x04", "a workbook or an archive", "Save the sheet as .xlsx, with that ending, or as CSV."),
+    (b"\xd0\xcf\x11\xe0", "a workbook of an old kind (.xls)", "Save the sheet as .xlsx or CSV."),
+    (b"\x1f\x8b", "compressed (gzip)", "Unpack it."),
+    (b"PAR1", "Parquet", "Give it the ending .parquet."),
+)
 LOOKED_AT = 200  # lines in which the header is searched for
 _MOMENT = re.compile(r"(date_?)?time(_?stamp)?|date|stamp")  # names of columns that hold moments
 _DOTTED = re.compile(r"(?P<day>\d{1,2})\.(?P<month>\d{1,2})\.(?P<year>\d{4})[ T](?P<rest>.*)")  # the day is first
@@ -98,24 +104,27 @@ def set_decimal_mark(mark: str | None) -> Token[str | None]:
     return _decimal.set(mark)
 
 
-def encoding_of(path: Path) -> str:
-    """Return the encoding of a text file: by its byte order mark, or UTF-8 where it is that, or Windows' own.
+def text_of(path: Path) -> str:
+    r"""Return a file's text, lines ended by ``\n``: by its byte order mark, or UTF-8 where it is that, or Windows' own.
 
     Raises
     ------
     InputError
-        The file cannot be read.
+        The file cannot be read, or is no text.
     """
     data = read_bytes(path)
-    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
-        return "utf-16"
-    if b"\0" in data[:200]:
-        return "utf-16-le" if data[1:2] == b"\0" else "utf-16-be"
-    try:
-        data.decode("utf-8")
-    except UnicodeDecodeError:
-        return "cp1252"
-    return "utf-8-sig"
+    for magic, what, remedy in _FOREIGN:
+        if data.startswith(magic):
+            raise InputError(f"this is no text, but {what}.", remedy, file=path)
+    if b"\0" in data[:200] or data.startswith((b"\xff\xfe", b"\xfe\xff")):
+        marked = data.startswith((b"\xff\xfe", b"\xfe\xff"))
+        encodings = ["utf-16" if marked else "utf-16-le" if data[1:2] == b"\0" else "utf-16-be"]
+    else:
+        encodings = ["utf-8-sig", "cp1252"]
+    for encoding in encodings:
+        with contextlib.suppress(UnicodeDecodeError):
+            return "\n".join(re.split("\r\n|\r|\n", data.decode(encoding)))
+    raise InputError("the file is not text.", "Save the file as text in UTF-8.", file=path)
 
 
 @dataclass(frozen=True)
@@ -190,7 +199,7 @@ def _is_number(cell: str) -> bool:
     return (_WITH_COMMA.fullmatch(cell) or _NUMBER.fullmatch(cell)) is not None
 
 
-def layout_of(path: Path, lines: Sequence[Line], vocabulary: Vocabulary) -> Layout:
+def layout_of(lines: Sequence[Line], vocabulary: Vocabulary) -> Layout:
     """Return the layout of a table by its lines, numbered as in the file.
 
     Raises
@@ -205,16 +214,13 @@ def layout_of(path: Path, lines: Sequence[Line], vocabulary: Vocabulary) -> Layo
     names, *cells = rows
     if len(names) == 1 and vocabulary.knows(names[0].split()):
         raise InputError(
-            "its columns are parted by blanks.",
-            "Part them by commas, semicolons or tabs.",
-            file=path,
-            line=lines[header][0],
+            "its columns are parted by blanks.", "Part them by commas, semicolons or tabs.", line=lines[header][0]
         )
     units = bool(cells) and len(cells[0]) == len(names) and _are_units(cells[0])
     numbered = zip((number for number, _ in lines[header:]), [names, *cells] if bare else [[], *cells], strict=False)
     shown = ((number, cell.strip()) for number, row in numbered for cell in row)
     commas = separator != "," or any('"' in text for _, text in lines)  # where commas part cells, others are in quotes
-    decimal = decimal_of(path, shown) if commas else _decimal.get() or "."
+    decimal = decimal_of(shown) if commas else _decimal.get() or "."
     return Layout(header, separator, decimal, units, bare)
 
 
@@ -304,7 +310,7 @@ def named(header: Sequence[str], units: Sequence[str], before: str = "") -> tupl
 RECORDED = Vocabulary(named)
 
 
-def decimal_of(path: Path, cells: Iterable[tuple[int, str]]) -> str:
+def decimal_of(cells: Iterable[tuple[int, str]]) -> str:
     """Return the decimal mark of cells, with their lines, that are separated by no comma.
 
     Raises
@@ -332,14 +338,12 @@ def decimal_of(path: Path, cells: Iterable[tuple[int, str]]) -> str:
         raise InputError(
             f"'{comma[1]}' in line {comma[0]} has a decimal comma, and '{point[1]}' a decimal point.",
             "Write all with one mark.",
-            file=path,
             line=point[0],
         )
     if doubtful and not (point or comma):
         raise InputError(
             f"whether the comma in '{doubtful[1]}' is a decimal mark or parts thousands, no cell says.",
             "Say it: --decimal , or --decimal .",
-            file=path,
             line=doubtful[0],
         )
     return "," if comma else "."

@@ -6,9 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
-from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.errors import UsageError
 from deltacal_gen.files.dialect import is_known
 from deltacal_gen.files.rows import Rows, typed_rows
 from deltacal_gen.files.sidecar import Sidecar
@@ -42,14 +40,9 @@ def rows_of(frame: object) -> tuple[Rows, Sidecar]:
             f"a {type(frame).__name__} is no recording: give the path of a file, or a data frame with its columns."
         )
     table = _table(frame)
-    if not len(table):
-        raise InputError("there is no row.", "Add one row per reading.", file=PATH)
     columns = [table.iloc[:, k] for k in range(table.shape[1])]
-    cells = [
-        ["" if blank else str(value).strip() for value, blank in zip(column, column.isna(), strict=True)]
-        for column in columns
-    ]
-    rows = typed_rows(PATH, [str(name).strip() for name in table.columns], cells, np.arange(1, len(table) + 1))
+    cells = [["" if off else str(v).strip() for v, off in zip(own, own.isna(), strict=True)] for own in columns]
+    rows = typed_rows(PATH, [str(name).strip() for name in table.columns], cells, len(table))
     return rows, _sidecar(getattr(frame, "attrs", {}))
 
 

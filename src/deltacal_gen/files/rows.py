@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextlib
 import csv
 import dataclasses
-import itertools
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
@@ -23,26 +22,21 @@ from deltacal_gen.files.dialect import (
     Line,
     Scales,
     Vocabulary,
-    encoding_of,
     in_seconds,
     layout_of,
     named,
     parted,
     plain_number,
+    text_of,
     with_header,
 )
+from deltacal_gen.files.naming import naming
 from deltacal_gen.files.toml import nearest
 
 WORKBOOKS = (".xlsx", ".xlsm")
 PARQUET = ".parquet"
 SHOWN = 12  # columns that a message lists
 LARGEST = 1e30  # number of a cell: its cube, and sums of these, are numbers still
-_FOREIGN = (  # how files begin that are no text
-    (b"PK\x03\x04", "a workbook or an archive", "Save the sheet as .xlsx, with that ending, or as CSV."),
-    (b"\xd0\xcf\x11\xe0", "a workbook of an old kind (.xls)", "Save the sheet as .xlsx or CSV."),
-    (b"\x1f\x8b", "compressed (gzip)", "Unpack it."),
-    (b"PAR1", "Parquet", "Give it the ending .parquet."),
-)
 _DECIMAL_COMMA = re.compile(r"[-+]?\d+,\d+")
 
 
@@ -152,79 +146,58 @@ def number_of(cell: str) -> float | None:
 
 def read_table(path: Path, vocabulary: Vocabulary = RECORDED) -> Rows:
     """Read a table: Parquet or a workbook by its ending, otherwise text; raises InputError."""
-    if path.suffix.lower() == PARQUET:
-        return _read_parquet(path)
-    if path.suffix.lower() in WORKBOOKS:
-        return _read_workbook(path, vocabulary)
-    return read_csv(path, vocabulary=vocabulary)
+    if path.suffix.lower() not in (PARQUET, *WORKBOOKS):
+        return read_csv(path, vocabulary=vocabulary)
+    with naming(path):
+        try:
+            return _read_parquet(path) if path.suffix.lower() == PARQUET else _read_workbook(path, vocabulary)
+        except ImportError as error:
+            library, extra = ("pyarrow", "parquet") if path.suffix.lower() == PARQUET else ("openpyxl", "xlsx")
+            raise InputError(
+                f"reading it needs {library}, which is not installed ({error}).",
+                f"Install it (pip install 'deltacal_gen[{extra}]'), or save the table as CSV.",
+            ) from None
+        except OSError as error:
+            raise InputError(f"the file cannot be read: {error.strerror or error}.", "Check the path.") from None
 
 
 def read_csv(path: Path, first: int | None = None, vocabulary: Vocabulary = RECORDED) -> Rows:
     """Read a table of text, or its first rows, as many as `first`; raises InputError."""
-    encoding = encoding_of(path)
-    _check_text(path)
-    try:
-        with path.open(encoding=encoding) as file:
-            remarks: list[Line] = []
-            lines = _lines((line.rstrip("\n") for line in file), remarks, vocabulary)
-            begun = list(itertools.islice(lines, None if first is None else LOOKED_AT))
-            if not begun:
-                raise InputError("the file is empty.", "Give a header and one row per reading.", file=path)
-            begun = with_header(begun, remarks, vocabulary)
-            with _csv_of(path, begun[0][0]):
-                layout = layout_of(path, begun, vocabulary)
-            lines = itertools.chain(begun[layout.header :], lines)
-            kept = list(itertools.islice(lines, None if first is None else 1 + layout.units + first))
-            while first is not None and sum(line.count('"') for _, line in kept) % 2 and (more := next(lines, None)):
-                kept.append(more)  # a cell goes on in the next line
-            table, numbers = _cells(path, parted(kept, layout.separator), layout)
-            before = "\n".join(text for _, text in begun[: layout.header])
-            return _of_cells(path, table, numbers, layout, vocabulary, before)
-    except OSError as error:
-        raise InputError(f"the file cannot be read: {error.strerror}.", "Check the path.", file=path) from None
-    except UnicodeError:
-        raise InputError("the file is not text.", "Save the file as text in UTF-8.", file=path) from None
-
-
-def _check_text(path: Path) -> None:
-    """Raise an InputError where a file that is read as text is one of another program's own."""
-    with path.open("rb") as file:
-        begin = file.read(8)  # of a file that may have millions of rows
-    for magic, what, remedy in _FOREIGN:
-        if begin.startswith(magic):
-            raise InputError(f"this is no text, but {what}.", remedy, file=path)
-
-
-def _lines(text: Iterable[str], remarks: list[Line], vocabulary: Vocabulary) -> Iterator[Line]:
-    """Yield the lines that hold cells, numbered as in the file; the first of the others go to `remarks`."""
-    for n, line in enumerate(text, start=1):
-        if line.startswith(vocabulary.remarks):
-            if n <= LOOKED_AT:
-                remarks.append((n, line))
-        elif line.strip():
-            yield n, line
+    numbered = list(enumerate(text_of(path).split("\n"), start=1))
+    lines = [(n, line) for n, line in numbered if line.strip() and not line.startswith(vocabulary.remarks)]
+    remarks = [(n, line) for n, line in numbered[:LOOKED_AT] if line.startswith(vocabulary.remarks)]
+    with naming(path):
+        if not lines:
+            raise InputError("the file is empty.", "Give a header and one row per reading.")
+        lines = with_header(lines, remarks, vocabulary)
+        with _csv_of(lines[0][0]):
+            layout = layout_of(lines if first is None else lines[:LOOKED_AT], vocabulary)
+        table, numbers = _cells(parted(lines[layout.header :], layout.separator), layout, first)
+        before = "\n".join(text for _, text in lines[: layout.header])
+        return _of_cells(path, table, numbers, layout, vocabulary, before)
 
 
 @contextlib.contextmanager
-def _csv_of(path: Path, line: int) -> Iterator[None]:
+def _csv_of(line: int) -> Iterator[None]:
     """Raise an InputError where lines are no CSV."""
     try:
         yield
     except csv.Error as error:
-        raise InputError(f"this is not CSV: {error}.", "Correct the quotes.", file=path, line=line) from None
+        raise InputError(f"this is not CSV: {error}.", "Correct the quotes.", line=line) from None
 
 
-def _cells(path: Path, kept: Sequence[Line], layout: Layout) -> tuple[list[list[str]], list[int]]:
+def _cells(lines: Sequence[Line], layout: Layout, first: int | None) -> tuple[list[list[str]], list[int]]:
     """Return the cells of lines, row by row, and the line in which each row ends."""
-    reader = csv.reader((line for _, line in kept), delimiter=layout.separator or "\t", strict=True)
+    reader = csv.reader((line for _, line in lines), delimiter=layout.separator or "\t", strict=True)
     table: list[list[str]] = []
     numbers: list[int] = []
-    while True:
-        with _csv_of(path, kept[min(reader.line_num, len(kept) - 1)][0]):
+    while first is None or len(table) <= first + layout.units:
+        with _csv_of(lines[min(reader.line_num, len(lines) - 1)][0]):
             if (cells := next(reader, None)) is None:
-                return table, numbers
+                break
         table.append([cell.strip() for cell in cells])
-        numbers.append(kept[reader.line_num - 1][0])
+        numbers.append(lines[reader.line_num - 1][0])
+    return table, numbers
 
 
 def _of_cells(
@@ -244,18 +217,15 @@ def _of_cells(
     header, units = table[0], table[1] if layout.units else [""] * len(table[0])
     table, numbers = table[1 + layout.units :], numbers[1 + layout.units :]
     header, scales = vocabulary.name(header, units, before)
-    _check_header(path, header, header_line)
+    _check_header(header, header_line)
     for cells, line in zip(table, numbers, strict=True):
         if len(cells) != len(header):
             comma = " Decimals need a point, not a comma." if len(cells) > len(header) else ""
             raise InputError(
-                f"the row has {len(cells)} cells, the header {len(header)}.",
-                f"Correct the row.{comma}",
-                file=path,
-                line=line,
+                f"the row has {len(cells)} cells, the header {len(header)}.", f"Correct the row.{comma}", line=line
             )
     if not table:
-        raise InputError("there is a header but no row.", "Add one row per reading.", file=path, line=header_line)
+        raise InputError("there is a header but no row.", "Add one row per reading.", line=header_line)
     columns = {name: [cells[k] for cells in table] for k, name in enumerate(header)}
     if layout.separator != "," or layout.decimal != ".":
         columns = {
@@ -265,17 +235,20 @@ def _of_cells(
     return Rows(path, in_seconds(columns), np.array(numbers), header_line, scales, sheet)
 
 
-def typed_rows(path: Path, header: Sequence[str], cells: Sequence[list[str]], line: np.ndarray) -> Rows:
-    """Return columns of cells, of a table that holds numbers and not their text, in the units of files.
+def typed_rows(path: Path, header: Sequence[str], cells: Sequence[list[str]], count: int) -> Rows:
+    """Return columns of cells, of a table that holds so many rows of numbers and not their text, in the units of files.
 
     Raises
     ------
     InputError
-        A column has no name, or two have one.
+        There is no row, a column has no name, or two have one.
     """
-    _check_header(path, header, None)
+    with naming(path):
+        if not count:
+            raise InputError("there is no row.", "Add one row per reading.")
+        _check_header(header, None)
     names, scales = named(header, [""] * len(header))
-    return Rows(path, in_seconds(dict(zip(names, cells, strict=True))), line, None, scales)
+    return Rows(path, in_seconds(dict(zip(names, cells, strict=True))), np.arange(1, count + 1), None, scales)
 
 
 def _without_blank_ends(table: list[list[str]]) -> list[list[str]]:
@@ -288,40 +261,29 @@ def _without_blank_ends(table: list[list[str]]) -> list[list[str]]:
 
 def _read_workbook(path: Path, vocabulary: Vocabulary) -> Rows:
     """Read a workbook (``.xlsx``): the first sheet with columns that are known, or the first that is not empty."""
-    try:
-        import openpyxl
-    except ImportError:
-        raise InputError(
-            "reading a workbook needs openpyxl, which is not installed.",
-            "Install it (pip install 'deltacal_gen[xlsx]'), or save the sheet as CSV.",
-            file=path,
-        ) from None
+    import openpyxl
+
     try:
         book = openpyxl.load_workbook(path, read_only=True, data_only=True)
-        sheets = {
-            s.title: [["" if v is None else str(v).strip() for v in r] for r in s.values] for s in book.worksheets
-        }
+        sheets = {s.title: [list(map(_text_of, row)) for row in s.values] for s in book.worksheets}
         book.close()
-    except OSError as error:
-        raise InputError(f"the file cannot be read: {error.strerror or error}.", "Check the path.", file=path) from None
+    except OSError:
+        raise
     except Exception as error:  # of a library that lets through whatever is wrong inside the archive
-        raise InputError(
-            f"this is no workbook: {type(error).__name__}.", "Save it again as .xlsx.", file=path
-        ) from None
-    found: dict[str, tuple[list[list[str]], list[Line]]] = {}
+        raise InputError(f"this is no workbook: {type(error).__name__}.", "Save it again as .xlsx.") from None
+    tables = {}
     for title, sheet in sheets.items():
-        kept = {n: _trimmed(row) for n, row in enumerate(sheet, start=1) if any(row) and not row[0].startswith("#")}
-        lines = [(n, "\t".join(cell.replace("\t", " ") for cell in row)) for n, row in kept.items()]
+        kept = [(n, _trimmed(row)) for n, row in enumerate(sheet, start=1) if any(row) and not row[0].startswith("#")]
         if kept:
-            found[title] = [*kept.values()], lines
-    if not found:
-        raise InputError("no sheet holds a table.", "Give a header and one row per reading.", file=path)
-    title = next((own for own, (_, lines) in found.items() if vocabulary.beginning(lines)), next(iter(found)))
-    kept_rows, lines = found[title]
-    layout = dataclasses.replace(layout_of(path, lines, vocabulary), separator="\t")
-    width = len(kept_rows[layout.header])
-    rows = [row + [""] * (width - len(row)) for row in kept_rows[layout.header :]]
-    numbers = [n for n, _ in lines[layout.header :]]
+            tables[title] = kept, [(n, "\t".join(cell.replace("\t", " ") for cell in row)) for n, row in kept]
+    if not tables:
+        raise InputError("no sheet holds a table.", "Give a header and one row per reading.")
+    title = next((own for own, (_, lines) in tables.items() if vocabulary.beginning(lines)), next(iter(tables)))
+    kept, lines = tables[title]
+    layout = dataclasses.replace(layout_of(lines, vocabulary), separator="\t")
+    width = len(kept[layout.header][1])
+    rows = [row + [""] * (width - len(row)) for _, row in kept[layout.header :]]
+    numbers = [n for n, _ in kept[layout.header :]]
     return _of_cells(path, rows, numbers, layout, vocabulary, sheet=title if len(sheets) > 1 else "")
 
 
@@ -338,38 +300,27 @@ def _trimmed(row: list[str]) -> list[str]:
 
 def _read_parquet(path: Path) -> Rows:
     """Read a Parquet file; raises InputError."""
-    try:
-        import pyarrow as pa
-        import pyarrow.parquet as pq
-    except ImportError:
-        raise InputError(
-            "reading Parquet needs pyarrow, which is not installed.",
-            "Install it (pip install pyarrow), or save the file as CSV.",
-            file=path,
-        ) from None
+    import pyarrow as pa
+    import pyarrow.parquet as pq
+
     try:
         with pq.ParquetFile(path) as file:
             table = file.read()
         cells = [list(map(_text_of, column.to_pylist())) for column in table.columns]
     except (OSError, ValueError, pa.ArrowException) as error:
         reason = str(error).splitlines()[0] if str(error) else type(error).__name__
-        raise InputError(f"this is not a readable Parquet file: {reason}.", "Save it again.", file=path) from None
-    if not table.num_rows:
-        raise InputError("there is no row.", "Add one row per reading.", file=path)
-    return typed_rows(path, table.schema.names, cells, np.arange(1, table.num_rows + 1))
+        raise InputError(f"this is not a readable Parquet file: {reason}.", "Save it again.") from None
+    return typed_rows(path, table.schema.names, cells, table.num_rows)
 
 
-def _check_header(path: Path, header: Sequence[str], line: int | None) -> None:
+def _check_header(header: Sequence[str], line: int | None) -> None:
     for k, name in enumerate(header):
         if not name:
-            raise InputError(
-                f"column {k + 1} has no name.", "Name it, or remove the comma too many.", file=path, line=line
-            )
+            raise InputError(f"column {k + 1} has no name.", "Name it, or remove the comma too many.", line=line)
         if name in header[:k]:
             raise InputError(
                 f"the name stands over columns {header.index(name) + 1} and {k + 1}.",
                 "Rename or remove one of them.",
-                file=path,
                 line=line,
                 column=name,
             )

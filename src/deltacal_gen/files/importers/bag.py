@@ -98,8 +98,8 @@ def import_bag(
         kinds = {c.topic: c.msgtype.rpartition("/")[2] for c in bag.connections}
         of_joints = _chosen(kinds, joints or said.joints.topic, (JOINTS,), "joints", said.joints)
         of_readings = _chosen(kinds, readings or said.readings.topic, READINGS, "readings", said.readings)
-        q, *told = _logged(bag, of_joints, _fields(said.joints.fields) or _by_name(names))
-        y, *more = _logged(bag, of_readings, _fields(said.readings.fields) or _body)
+        q, told = _logged(bag, of_joints, _fields(said.joints.fields) or _by_name(names))
+        y, more = _logged(bag, of_readings, _fields(said.readings.fields) or _body)
     machine, units = robot_with(robot, q.values.shape[1], path)
     if machine is None:
         units = ("rad" if said.joints.unit in ("rad", "deg") else "mm",) * q.values.shape[1]
@@ -113,9 +113,9 @@ def import_bag(
     return write_import(imported(joined, units, machine, path, tuple(told)), output)
 
 
-def _logged(bag: Any, topic: str, take: Callable[[Any], list[float]]) -> tuple[Any, ...]:
+def _logged(bag: Any, topic: str, take: Callable[[Any], list[float]]) -> tuple[Samples, list[str]]:
     """Return what `take` finds in the messages of a topic, and what a user should know of their stamps."""
-    times, values, told = list[float](), list[list[float]](), ()
+    times, values, told = list[float](), list[list[float]](), list[str]()
     for connection, received, raw in bag.messages(connections=[c for c in bag.connections if c.topic == topic]):
         message = bag.deserialize(raw, connection.msgtype)
         try:
@@ -126,12 +126,12 @@ def _logged(bag: Any, topic: str, take: Callable[[Any], list[float]]) -> tuple[A
                 "Say in the file of --map which parts of the message are meant: fields = [...].",
             ) from None
         if (stamp := _stamp(message)) is None:
-            told = (f"{topic}: messages without a stamp have the time at which they were logged",)
+            told = [f"{topic}: messages without a stamp have the time at which they were logged"]
         times.append(received * 1e-9 if stamp is None else stamp)
     if len({len(own) for own in values}) != 1:
         found = "holds messages of different lengths" if values else "is empty"
         raise InputError(f"{topic} {found}.", "Look at the bag: ros2 bag info.")
-    return Samples(topic, np.array(times), np.array(values)), *told
+    return Samples(topic, np.array(times), np.array(values)), told
 
 
 def _chosen(

@@ -13,14 +13,13 @@ from pathlib import Path
 import numpy as np
 
 from deltacal_gen.errors import InputError, UsageError
-from deltacal_gen.files.dialect import length_mm
+from deltacal_gen.files.dialect import length_mm, text_of
 from deltacal_gen.files.imported import Imported, robot_with, write_import
 from deltacal_gen.files.lists import joints_in_time
 from deltacal_gen.files.naming import naming
 from deltacal_gen.files.quaternions import rotation_vector
 from deltacal_gen.files.rows import Rows, number_of
 from deltacal_gen.files.samples import Samples, imported, join
-from deltacal_gen.files.toml import read_text
 
 Captured = Mapping[str, Samples]  # by the name of a marker or a body
 FEW = 8  # names that a message lists
@@ -100,7 +99,7 @@ def _c3d(path: Path) -> Captured:
 
 
 def _table(path: Path) -> Captured:
-    rows = list(csv.reader(read_text(path).splitlines()))
+    rows = list(csv.reader(text_of(path).split("\n")))
     if rows and rows[0] and rows[0][0].strip() == "Trajectories":
         return _nexus(path, rows)
     head = next((k for k, row in enumerate(rows) if row and row[0].strip() == "Frame"), None)

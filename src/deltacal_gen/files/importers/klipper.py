@@ -195,7 +195,7 @@ class Probed:
             better = [self.usual_step()]
         except InputError:
             most = min(bent / CLEARLY, WRONG_STEP)
-            better = [own for left, *own in self.usual_steps() if left < most and self.placed(own[0])]
+            better = [own[1:] for own in self.usual_steps() if own[0] < most and self.placed(own[1])]
         if len(better) == 1:
             [(usual, belt)] = better
             raise InputError(
