@@ -75,11 +75,7 @@ def list_claims(paper: str | None, status: str | None, search: str | None, outpu
     titles = {p.claims[0].paper: p.title for p in papers}
     if output is not None:
         write_files({output: ledger.page(titles, found)})
-    never = {"ended": "", "measured": []}
-    return [
-        {**c.model_dump(), "title": titles[c.paper], **(ended[c.test].in_short() if c.test in ended else never)}
-        for c in found
-    ]
+    return [{**c.model_dump(), "title": titles[c.paper], **ledger.in_short(ended.get(c.test))} for c in found]
 
 
 def reproduce(paper: str, folder: Path) -> dict[str, list[str]]:

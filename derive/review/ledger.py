@@ -165,9 +165,7 @@ def page(titles: Mapping[str, str], claims: Sequence[Claim]) -> str:
 
 def derived(of: Path | None = None) -> dict[str, dict[str, dict[str, str]]]:
     """Return the verdicts of the derivation in a folder, by default the registered ones: paper, name, what it holds."""
-    file = (of or folder()) / "derived.json"
-    found: dict[str, dict[str, dict[str, str]]] = json.loads(file.read_text("utf-8")) if file.exists() else {}
-    return found
+    return _stored("derived.json", of)
 
 
 class Figure(Table):
@@ -201,17 +199,29 @@ class Ended(Table):
         """How it ended, in words."""
         return self.outcome if self.outcome == self.by_project else f"{self.outcome}, by the project {self.by_project}"
 
-    def in_short(self) -> dict[str, Any]:
-        """Return how it ended, and its first figures, as lines of text."""
-        figures = [f"{f.asserted}: {f.found}" for f in self.figures if f.found]
-        return {"ended": f"{self.both} {self.date}, sources {self.sources[:12]}", "measured": figures[:SHOWN]}
+    @property
+    def measured(self) -> list[str]:
+        """The first figures as lines of text."""
+        return [f"{f.asserted}: {f.found}" for f in self.figures if f.found][:SHOWN]
+
+
+def in_short(end: Ended | None) -> dict[str, Any]:
+    """Return how a test ended, and its first figures, as lines of text; empty ones where it never ran."""
+    if end is None:
+        return {"ended": "", "measured": []}
+    return {"ended": f"{end.both} {end.date}, sources {end.sources[:12]}", "measured": end.measured}
 
 
 def decided(of: Path | None = None) -> dict[str, Ended]:
     """Return how the deciding tests ended when they last ran, by their names."""
-    file = (of or folder()) / "decided.json"
+    return {test: Ended.model_validate(end) for test, end in _stored("decided.json", of).items()}
+
+
+def _stored(name: str, of: Path | None) -> dict[str, Any]:
+    """Return what a file of a folder holds, by default of the ledger's; nothing where there is none."""
+    file = (of or folder()) / name
     found: dict[str, Any] = json.loads(file.read_text("utf-8")) if file.exists() else {}
-    return {test: Ended.model_validate(end) for test, end in found.items()}
+    return found
 
 
 def sources(root: Path, test: str) -> str:
