@@ -229,19 +229,19 @@ def sources(root: Path, test: str) -> str:
     patterns = ("derive/mechanisms/*.py", "derive/measurements/*.py", "derive/effects/*.py", "derive/statics.py")
     files = [p for pattern in (*patterns, "generated/deltacal_kernels/**/*.py") for p in root.glob(pattern)]
     whole = hashlib.sha256()
-    for path in (*sorted(files), *_modules(root / test.partition("::")[0])):
+    for path in (*sorted(files), *_modules(root, root / test.partition("::")[0])):
         whole.update(path.relative_to(root).as_posix().encode() + b"\0" + path.read_bytes())
     return whole.hexdigest()
 
 
-def _modules(test: Path) -> list[Path]:
-    """Return a test's file and the modules beside it that it imports, and these in turn."""
-    beside, found, left = {path.stem: path for path in test.parent.glob("*.py")}, {test}, [test]
+def _modules(root: Path, test: Path) -> list[Path]:
+    """Return a test's file and the modules of the tests that it imports, and these in turn."""
+    found, left = {test}, [test]
     while left:
         imports = (n for n in ast.walk(ast.parse(left.pop().read_text("utf-8"))) if isinstance(n, ast.ImportFrom))
-        words = {word for n in imports for word in (*(n.module or "").split("."), *(name.name for name in n.names))}
-        new = {beside[word] for word in words & beside.keys()} - found
-        found |= new
+        names = {name for n in imports for name in (f"{n.module}", *(f"{n.module}.{a.name}" for a in n.names))}
+        of_tests = (root / f"{name.replace('.', '/')}.py" for name in names if name.startswith("tests."))
+        found |= (new := {*filter(Path.exists, of_tests)} - found)
         left += new
     return sorted(found)
 
