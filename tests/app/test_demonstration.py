@@ -26,6 +26,7 @@ def test_the_recording_is_what_the_command_in_the_truth_file_makes(tmp_path: Pat
     assert all(np.array_equal(read.channels[name], made.channels[name]) for name in read.channels)
 
 
+@pytest.mark.walk
 def test_the_demonstration_finds_models_and_takes_out_what_is_concealed(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

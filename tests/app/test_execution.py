@@ -99,6 +99,7 @@ def test_a_killed_worker_loses_nothing(tmp_path: Path) -> None:
     assert squares(found) == [n * n for n in range(8)]
 
 
+@pytest.mark.walk
 def test_a_task_that_ends_every_worker_fails_alone() -> None:
     found = list(run(die_always, numbered(6), total=6, workers=2))
     assert squares(found) == [0, None, 4, 9, 16, 25]

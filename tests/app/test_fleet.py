@@ -60,6 +60,7 @@ def shop(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
+@pytest.mark.walk
 def test_all_recordings_are_done_and_the_bad_one_is_listed(shop: Path, tmp_path: Path, run: Run) -> None:
     code, text, _ = run("batch", shop, "--do", "identify", "--model", "6", "-o", tmp_path / "run", "--workers", "1")
     assert code == 0, text
@@ -108,6 +109,7 @@ def test_a_diagnosis_says_which_part_has_moved(shop: Path, tmp_path: Path) -> No
     assert "mm. endstop_1 moved +0." in change["text"]
 
 
+@pytest.mark.walk
 def test_an_effect_that_has_grown_is_said() -> None:
     folder = example("gearbox")
     found = commands.diagnose(folder / "robot.toml", folder / "recording.csv")
@@ -121,6 +123,7 @@ def test_an_effect_that_has_grown_is_said() -> None:
     assert "width" not in moved(diagnosis(0.02), diagnosis(0.022))
 
 
+@pytest.mark.walk
 def test_each_measured_point_is_compared_with_itself() -> None:
     folder = example("gearbox")
     found = commands.diagnose(folder / "robot.toml", folder / "recording.csv")
@@ -212,6 +215,7 @@ def test_of_very_many_the_page_shows_the_distribution_and_the_worst() -> None:
     assert "bad0/r.csv, bad1/r.csv, bad2/r.csv and 897 more" in page
 
 
+@pytest.mark.walk
 def test_killed_twice_and_resumed_twice_the_table_is_the_same(shop: Path, tmp_path: Path) -> None:
     whole = fleet.conduct(shop, tmp_path / "whole", "identify", model="9", workers=1)
     command = [sys.executable, "-m", "deltacal_gen.app.cli", "batch", str(shop), "--do", "identify", "--model", "9"]
@@ -266,6 +270,7 @@ def moving(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
+@pytest.mark.walk
 def test_recordings_in_motion_are_done_joint_by_joint(moving: Path, tmp_path: Path, run: Run) -> None:
     code, text, said = run("batch", moving / "arm", "-o", tmp_path / "run", "--workers", "1", "--model", "18")
     assert code == 0, said
@@ -292,6 +297,7 @@ def test_recordings_in_motion_are_done_joint_by_joint(moving: Path, tmp_path: Pa
     assert "2 of 3 recordings done" in " ".join(text.split())
 
 
+@pytest.mark.walk
 def test_drives_are_identified_and_validated(moving: Path, tmp_path: Path) -> None:
     arm = tmp_path / "arm"
     shutil.copytree(moving / "arm", arm)

@@ -57,6 +57,7 @@ def test_the_version_is_told(run: Run) -> None:
     assert run("--version")[:2] == (0, f"deltacal {__version__}\n")
 
 
+@pytest.mark.walk
 def test_a_model_may_be_named_without_its_mechanism(run: Run, tmp_path: Path) -> None:
     page, found = tmp_path / "page.html", tmp_path / "diagnosis.json"
     assert run("diagnose", ROBOT, RECORDING, "--model", "18", "-o", found, "--report", page)[0] == 0

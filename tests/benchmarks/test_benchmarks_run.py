@@ -84,6 +84,7 @@ def test_the_table_of_all_mechanisms_is_written_as_the_manual_shows_it(
 forked = pytest.mark.skipif(sys.platform != "linux", reason="runs are forked")
 
 
+@pytest.mark.walk
 @forked
 def test_damaged_inputs_end_as_the_contract_says(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     log = tmp_path / "log.csv"
@@ -119,6 +120,7 @@ def test_mistakes_are_drawn_alike_whatever_else_there_is() -> None:
     assert mutations.drawn(3, some) == [m for m in order if "mechanisms" in m.file]
 
 
+@pytest.mark.walk
 def test_an_exact_camera_is_compared_with_what_knows_more(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     out = tmp_path / "camera.csv"
     assert instruments.main(["camera", "--count", "1", "-o", str(out)]) == 0

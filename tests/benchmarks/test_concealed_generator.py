@@ -25,6 +25,7 @@ def test_a_case_is_drawn_from_its_seed(kind: str, names: tuple[str, ...]) -> Non
     assert all(np.isfinite(c).all() for c in channels)
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize("of", INSTRUMENTS)
 def test_boards_and_encoders_conceal_effects(of: str) -> None:
     case, again = (generate("single", ("backlash",), (3, 1, 0), f"delta {of}") for _ in range(2))

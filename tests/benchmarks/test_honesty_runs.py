@@ -114,6 +114,7 @@ def test_bands_are_counted_by_what_is_true() -> None:
     assert found["inside"] > 0.8 * found["of"]
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize("noise", ["white", "AR 0.9"])
 def test_the_first_look_has_the_p_value_of_the_whole_diagnosis(noise: str) -> None:
     made = null(noise, 1)
@@ -128,6 +129,7 @@ def test_no_two_p_values_are_of_the_same_recording() -> None:
     assert all(0 < p <= 1 for p in found)
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize("sort", ["thermal_zero", "a printer's thermal_zero", "an arm's thermal_zero"])
 def test_a_round_is_compared_with_the_best_design_and_with_random_poses(sort: str) -> None:
     found = round_of(sort, 1)

@@ -25,6 +25,7 @@ def test_a_case_is_drawn_again_as_it_was_and_what_it_conceals_shows() -> None:
     assert by.std() > 0
 
 
+@pytest.mark.walk
 def test_a_case_is_graded_and_kept(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     kept = tmp_path / "kept.jsonl"
     arguments = ["--first", "4", "--count", "1", "--rate", "100", "--kept", str(kept), "--files", str(tmp_path)]
@@ -38,6 +39,7 @@ def test_a_case_is_graded_and_kept(tmp_path: Path, capsys: pytest.CaptureFixture
     assert len(kept.read_text().splitlines()) == 1
 
 
+@pytest.mark.walk
 def test_the_ladder_by_hand_stands_beside_the_tool_s(tmp_path: Path) -> None:
     recording = written(tmp_path, usual, runs=3)
     found = motion_by_hand.beside(tmp_path / "robot.toml", recording)

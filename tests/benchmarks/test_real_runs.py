@@ -24,6 +24,7 @@ def folder(tmp_path: Path) -> Path:
     return place
 
 
+@pytest.mark.walk
 def test_every_recording_is_swept_in_a_process_of_its_own(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     kept = folder.parent / "kept.jsonl"
     code = sweep.main([str(folder.parent), "--jobs", "1", "--kept", str(kept)])
@@ -61,6 +62,7 @@ def test_sizes_scatter_by_what_is_told() -> None:
     assert times == pytest.approx(2.0, rel=0.3)
 
 
+@pytest.mark.walk
 def test_halves_and_blocks_are_printed(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert real.main(["halves", str(folder), "--halves", "1", "--jobs", "1"]) == 0
     assert "mean of 1 halves" in capsys.readouterr().out
@@ -69,6 +71,7 @@ def test_halves_and_blocks_are_printed(folder: Path, capsys: pytest.CaptureFixtu
     assert "2 blocks" in said
 
 
+@pytest.mark.walk
 def test_problems_are_kept_with_their_seed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     kept = ["--jobs", "1", "--starts", "1", "--kept", str(tmp_path / "kept.jsonl")]
     arrival.main(["--problems", "2", *kept])

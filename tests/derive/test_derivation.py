@@ -370,6 +370,7 @@ def pages(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
+@pytest.mark.walk
 def test_a_report_is_complete(pages: Path) -> None:
     exact = limbs("diamond")
     html, md = ((pages / f"diamond-12.{ending}").read_text(encoding="utf-8") for ending in ("html", "md"))
@@ -414,6 +415,7 @@ def test_a_report_is_complete(pages: Path) -> None:
         assert "var(" not in svg
 
 
+@pytest.mark.walk
 def test_markdown_renders_on_a_code_host(pages: Path) -> None:
     for page in pages.glob("*.md"):
         text = page.read_text(encoding="utf-8")
@@ -426,6 +428,7 @@ def test_markdown_renders_on_a_code_host(pages: Path) -> None:
         assert not any("|" in formula for formula in inline)
 
 
+@pytest.mark.walk
 def test_every_link_of_a_page_leads_somewhere(pages: Path) -> None:
     for page in pages.glob("*.html"):
         text = page.read_text(encoding="utf-8")
@@ -435,6 +438,7 @@ def test_every_link_of_a_page_leads_somewhere(pages: Path) -> None:
         assert {link for link in links if link.lstrip("#") not in anchors} == set()
 
 
+@pytest.mark.walk
 def test_lines_that_steps_lead_to_make_them(pages: Path) -> None:
     text = (pages / "diamond-12.md").read_text(encoding="utf-8")
     text = text[text.index("### Steps") : text.index("### Closure")]
@@ -447,6 +451,7 @@ def test_lines_that_steps_lead_to_make_them(pages: Path) -> None:
         assert (ROOT / kernel).read_text().splitlines()[int(assigned) - 1].strip().startswith(f"{name[1]}_")
 
 
+@pytest.mark.walk
 def test_a_report_is_the_same_bytes_anywhere(pages: Path, tmp_path: Path) -> None:
     command = f"import deltacal_gen as dc; dc.derivation('diamond/12', r'{tmp_path / 'other.html'}')"
     elsewhere = {"PYTHONPATH": os.pathsep.join(sys.path), "PYTHONHASHSEED": "11", "TZ": "Asia/Tokyo"}
@@ -488,6 +493,7 @@ def test_derivatives_converge_on_every_example(name: str) -> None:
         assert order.order == pytest.approx(2.0, abs=0.06), order.by
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize(
     ("arguments", "error", "words"),
     [
@@ -504,6 +510,7 @@ def test_what_cannot_be_made_is_said(
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.walk
 def test_a_file_that_cannot_be_written_is_named(tmp_path: Path) -> None:
     picture = tmp_path / "report-machine.svg"
     picture.mkdir()
@@ -513,6 +520,7 @@ def test_a_file_that_cannot_be_written_is_named(tmp_path: Path) -> None:
     assert error.value.remedy.startswith("Check the folder")
 
 
+@pytest.mark.walk
 def test_a_machine_that_is_tried_out_is_drawn_and_its_file_explained(tmp_path: Path) -> None:
     text = (ROOT / "src/deltacal_gen/examples/diamond/robot.toml").read_text(encoding="utf-8")
     (tmp_path / "robot.toml").write_text(text, encoding="utf-8")
@@ -526,6 +534,7 @@ def test_a_machine_that_is_tried_out_is_drawn_and_its_file_explained(tmp_path: P
     assert error.value.remedy
 
 
+@pytest.mark.walk
 def test_the_command_says_what_it_wrote(run: Any, tmp_path: Path) -> None:
     code, out, _ = run("derivation", "zero_jump", "-o", tmp_path / "effect.md", "--json")
     assert code == 0

@@ -321,6 +321,7 @@ def package(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return copy
 
 
+@pytest.mark.walk
 def test_one_name_is_derived_alone_and_leaves_what_is_of_others(package: Path) -> None:
     for path in ("effects/backlash.py", "effects/backlash.c", "measurements/pose.py", "delta/servo.py"):
         (package / path).write_text("x = 1\n")
@@ -367,6 +368,7 @@ def test_differences_name_missing_left_over_and_changed_files() -> None:
     assert compiler.differences(fresh, fresh) == []
 
 
+@pytest.mark.walk
 def test_kernels_do_not_depend_on_how_python_hashes() -> None:
     place = {"PYTHONPATH": os.pathsep.join(sys.path), "PYTHONHASHSEED": "7"}  # the committed ones are of seed 0
     command = [sys.executable, "-m", "derive", "diamond", "--check"]

@@ -179,6 +179,7 @@ def exact(expr: Any, points: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.nda
     return values, slopes, good
 
 
+@pytest.mark.walk
 @pytest.mark.skipif(shutil.which("gcc") is None, reason="C is compiled by gcc, which is not installed")
 @settings(
     max_examples=6,

@@ -78,6 +78,7 @@ def test_beyond_the_draws_it_falls_as_a_sum_of_squares_does(search: Search) -> N
     assert found.of(1e9) > 0
 
 
+@pytest.mark.walk
 def test_every_diagnosis_says_how_surely_the_search_found_something() -> None:
     robot = machine()
     of = channels(60, "approach")
@@ -140,6 +141,7 @@ def test_without_effects_to_test_nothing_is_found(search: Search) -> None:
     assert (found.best, found.p_value) == (None, 1.0)
 
 
+@pytest.mark.walk
 def test_chance_is_that_of_noise_as_it_hangs_together() -> None:
     found = diagnose(ROBOT, null("AR 0.9", 1)).answer()
     assert found.search is not None

@@ -84,6 +84,7 @@ def without(found: dict[str, Any]) -> dict[str, Any]:
     return found | {"correction": None}
 
 
+@pytest.mark.walk
 def test_a_dependence_on_a_channel_is_corrected_at_its_joint(robot: Robot, humid: dict[str, Any]) -> None:
     assert humid["verdict"] == "unexplained"
     made = humid["correction"]
@@ -97,6 +98,7 @@ def test_a_dependence_on_a_channel_is_corrected_at_its_joint(robot: Robot, humid
     assert error(humid, fresh) < 0.2 * error(without(humid), fresh)
 
 
+@pytest.mark.walk
 def test_a_local_misfit_is_corrected_where_it_sits(robot: Robot) -> None:
     found = diagnosis(robot, dented(robot, 1))
     assert found["verdict"] == "unexplained"
@@ -121,6 +123,7 @@ def test_a_correction_holds_where_the_machine_of_a_prediction_puts_its_readings(
     assert holding(found.smooth, problem.recording, body.q, whole.machine.x) == pytest.approx(1.0, abs=1e-6)
 
 
+@pytest.mark.walk
 def test_beyond_what_was_measured_nothing_is_corrected(robot: Robot, humid: dict[str, Any]) -> None:
     fresh = swollen(robot, 9, sigma=0.0)
     seen = np.array(humid["correction"]["smooth"][0]["knots"])
@@ -137,6 +140,7 @@ def test_beyond_what_was_measured_nothing_is_corrected(robot: Robot, humid: dict
     assert inside == pytest.approx(1.0, abs=1e-12)
 
 
+@pytest.mark.walk
 def test_a_validation_uses_the_correction_too(robot: Robot, humid: dict[str, Any]) -> None:
     fresh = swollen(robot, 9, sigma=0.0)
     assert dc.validate(humid, fresh)["rms_mm"] == pytest.approx(error(humid, fresh), rel=1e-9)
@@ -161,6 +165,7 @@ def test_a_function_fades_over_its_length() -> None:
     assert Smooth.of(made.kept()).displacement(made.knots) == pytest.approx(made.displacement(made.knots), abs=0)
 
 
+@pytest.mark.walk
 def test_commands_undo_the_correction_too(robot: Robot, humid: dict[str, Any]) -> None:
     """On the true machine: the joint that swells is commanded less."""
     rng = np.random.default_rng(31)
@@ -179,6 +184,7 @@ def test_commands_undo_the_correction_too(robot: Robot, humid: dict[str, Any]) -
     assert "2 of 2 targets lie outside" in said[-1]
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize("export", ["c", "table"])
 def test_an_export_says_what_it_leaves_out(humid: dict[str, Any], tmp_path: Path, export: str) -> None:
     for known, said in ((humid, True), (without(humid), False)):
@@ -201,6 +207,7 @@ def probed(printer: Robot, targets: Array, sigma: float = 0.0) -> Recording:
     return dataclasses.replace(read, measured=read.measured + dent[:, None] + noise)
 
 
+@pytest.mark.walk
 @pytest.mark.usefixtures("no_laws")
 def test_heights_are_predicted_as_the_page_says() -> None:
     """On the readings themselves and between them; ten times off, once."""

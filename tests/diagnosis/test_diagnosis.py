@@ -138,6 +138,7 @@ def test_what_is_missing_is_named_with_its_limb_and_its_size(loose: dict[str, An
     assert loose["effects"][0]["share_of_excess"] > 0.95
 
 
+@pytest.mark.walk
 def test_what_no_effect_explains_is_located_and_sized(dented: tuple[dict[str, Any], np.ndarray]) -> None:
     found, centre = dented
     assert found["verdict"] == "unexplained"
@@ -149,6 +150,7 @@ def test_what_no_effect_explains_is_located_and_sized(dented: tuple[dict[str, An
     assert 1.5 * SIGMA < found["baseline"]["train_rms_mm"] < 0.1
 
 
+@pytest.mark.walk
 def test_readings_that_lie_off_together_are_no_gross_errors(robot: Robot) -> None:
     recording, centre = bumpy(record(robot, n=140, of=channels(140, "temp", "approach")), robot, reach=60.0, much=2.0)
     found = diagnosis(robot, recording)
@@ -157,6 +159,7 @@ def test_readings_that_lie_off_together_are_no_gross_errors(robot: Robot) -> Non
     assert np.linalg.norm(np.array(found["location"]["region"]["centre_mm"]) - centre) < 150
 
 
+@pytest.mark.walk
 def test_an_instrument_that_turns_is_no_fault_of_a_joint(robot: Robot) -> None:
     """A stand that creeps turns more than it shifts: what it does to a reading depends on time and place."""
     recording = record(robot, n=120, of=channels(120, "time"), declared=False)
@@ -169,6 +172,7 @@ def test_an_instrument_that_turns_is_no_fault_of_a_joint(robot: Robot) -> None:
     assert found["location"]["limbs"] == []
 
 
+@pytest.mark.walk
 def test_play_that_varies_over_the_angle_is_placed_at_its_joint(robot: Robot) -> None:
     """Wide at one end of the stroke, crossed at the other: no mean that a backlash could be."""
     of = channels(80, "approach")
@@ -205,6 +209,7 @@ def test_held_out_readings_speak_for_what_is_named_or_do_not(better: float, born
     assert speak_for(before, after) is borne_out
 
 
+@pytest.mark.walk
 def test_two_effects_are_both_named(robot: Robot) -> None:
     terms = effect("backlash", (2,), WIDTH), effect("thermal_zero", (1,), 0.004)
     found = diagnosis(robot, record(robot, *terms, n=80, of=channels(80, "approach", "temp", "time")))
@@ -279,6 +284,7 @@ OF_OTHERS = {"effector_tilt", "tower_lean"} | {  # of printers, and of chains
 }
 
 
+@pytest.mark.walk
 def test_the_file_keeps_the_contract(
     sound: dict[str, Any], loose: dict[str, Any], dented: tuple[dict[str, Any], np.ndarray]
 ) -> None:
@@ -298,6 +304,7 @@ def test_the_file_keeps_the_contract(
         assert len(found["summary"]) > 40
 
 
+@pytest.mark.walk
 def test_the_same_recording_gives_the_same_file(robot: Robot, loose_recording: Recording) -> None:
     assert diagnosis(robot, loose_recording) == diagnosis(robot, loose_recording)
 
@@ -339,6 +346,7 @@ def test_a_diagnosis_carries_to_another_session(robot: Robot, loose: dict[str, A
     assert plain["chi2_per_dof"] > 5
 
 
+@pytest.mark.walk
 def test_a_long_latency_is_found_as_surely_as_a_short_one() -> None:
     """Of 32 ms, where poses lie up to 2 deg of joint beside where they were thought."""
     found = diagnosis(machine(), record(machine(), effect("latency", (), 0.032), n=70, seed=3, of=MOVED))

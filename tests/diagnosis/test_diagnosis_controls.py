@@ -90,6 +90,7 @@ def test_circumstances_name_nothing(robot: Robot, made: Make) -> None:
     assert found["effects"] == []
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize("made", CIRCUMSTANCES, ids=lambda f: f.__name__)
 def test_circumstances_hide_nothing(robot: Robot, made: Make) -> None:
     found = diagnosis(robot, made(robot, BACKLASH))
@@ -117,6 +118,7 @@ def test_a_declared_noise_that_repeats_contradict_is_told(robot: Robot) -> None:
     assert 1.7 < float(times[1]) < 2.3
 
 
+@pytest.mark.walk
 def test_what_repeats_do_not_show_is_no_noise(robot: Robot) -> None:
     """An error of each pose of its own, beyond what repeats of it differ by."""
     made = thrice(robot, declared=False)

@@ -199,6 +199,7 @@ def test_a_short_recording_promises_no_more_than_it_can(run: Run, tmp_path: Path
     assert any("poses" in m["text"] for m in found["next_measurements"])
 
 
+@pytest.mark.walk
 def test_play_of_less_than_nothing_is_a_direction_that_counts_the_other_way(shop: Path, diagnose: Diagnose) -> None:
     for joint in (1, 2, 3):
         column(shop, f"approach{joint}", lambda line, cell: str(-int(float(cell))))

@@ -90,6 +90,7 @@ def test_a_soft_joint_and_a_soft_arm_are_one_answer_until_the_proposed_poses_are
     assert {again["effects"][0]["name"], *again["effects"][0]["indistinguishable_from"]} >= {truth.effect, other}
 
 
+@pytest.mark.walk
 def test_what_goes_with_time_may_be_warmth_until_the_temperature_is_recorded() -> None:
     robot, of = machine(), channels(60, "time")
     made = record(robot, effect("zero_drift", (2,), 0.05), n=60, of=of)
@@ -116,6 +117,7 @@ GROWTH = effect("thermal_growth", (), 23e-6, 23e-6, 23e-6)  # 1/K, aluminium
 COLD, WARM = 32.0, 44.0  # degC
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize("truth", [SCALE, GROWTH], ids=lambda t: t.effect)
 def test_a_wrong_scale_and_a_warm_machine_are_one_answer_until_the_temperature_is_recorded(truth: Term) -> None:
     warm = {"temp_C": np.full(60, COLD)}
@@ -143,6 +145,7 @@ def test_nothing_is_proposed_where_nothing_is_open() -> None:
     assert diagnosis(robot, record(robot))["next_measurements"] == []
 
 
+@pytest.mark.walk
 def test_proposed_poses_stay_within_limits_and_workspace(compliant: dict[str, Any]) -> None:
     question = compliant["next_measurements"][0]
     q = np.array([[row[f"q{i}_deg"] for i in (1, 2, 3)] for row in question["poses"]])
@@ -241,6 +244,7 @@ def test_candidates_take_both_directions_and_loads_that_were_used() -> None:
     assert len(found.ends) > 100
 
 
+@pytest.mark.walk
 def test_the_page_shows_what_to_measure(compliant: dict[str, Any]) -> None:
     page = report.diagnosis(compliant)
     for question in compliant["next_measurements"]:

@@ -47,6 +47,7 @@ def found(made: Diagnosed) -> Diagnosis:
     return made.answer()
 
 
+@pytest.mark.walk
 def test_a_law_is_told_as_one_and_never_by_a_name(found: Diagnosis) -> None:
     assert found.verdict == "missing_physics"
     assert found.effects == ()
@@ -59,6 +60,7 @@ def test_a_law_is_told_as_one_and_never_by_a_name(found: Diagnosis) -> None:
     assert "limb.rod moves by c1*tanh(tension_1/c2) at limb 2" in found.summary
 
 
+@pytest.mark.walk
 def test_its_numbers_are_those_of_the_machine_in_their_units(found: Diagnosis) -> None:
     size, scale = found.laws[0].terms[0].coefficients
     assert (size.name, size.limb, size.unit) == ("c1", LIMB, "mm")
@@ -69,6 +71,7 @@ def test_its_numbers_are_those_of_the_machine_in_their_units(found: Diagnosis) -
         assert c.std < 0.2 * true
 
 
+@pytest.mark.walk
 def test_predictions_come_from_the_law(found: Diagnosis, tmp_path: Path) -> None:
     path = tmp_path / "found.json"
     path.write_text(json.dumps(found.to_dict()), encoding="utf-8")
@@ -78,6 +81,7 @@ def test_predictions_come_from_the_law(found: Diagnosis, tmp_path: Path) -> None
     assert found.laws[0].heldout_rms_mm < 1.5 * SIGMA
 
 
+@pytest.mark.walk
 def test_rows_outside_its_range_are_counted_and_commands_undo_it(found: Diagnosis, tmp_path: Path) -> None:
     said: list[str] = []
     low, high = found.laws[0].range["tension_1"]
@@ -99,6 +103,7 @@ def test_rows_outside_its_range_are_counted_and_commands_undo_it(found: Diagnosi
     assert "limb.rod = c1*tanh(tension_1/c2) at limb 2" in text.read_text(encoding="utf-8")
 
 
+@pytest.mark.walk
 def test_its_curve_goes_through_what_the_readings_say(found: Diagnosis) -> None:
     curve = found.laws[0].curve
     assert curve is not None
@@ -109,6 +114,7 @@ def test_its_curve_goes_through_what_the_readings_say(found: Diagnosis) -> None:
     np.testing.assert_allclose(curve.value, exact, atol=6 * float(np.max(curve.std)) + 0.01)
 
 
+@pytest.mark.walk
 def test_the_band_counts_what_is_unknown_of_the_constants(made: Diagnosed, found: Diagnosis) -> None:
     """As the numbers scatter: coefficient and constant drawn together, the coefficient going with the constant."""
     curve, law = found.laws[0].curve, made.laws[0]
@@ -140,6 +146,7 @@ def test_a_level_that_geometry_would_take_over_is_left_out_of_the_band(level: fl
     np.testing.assert_allclose(std, beside, rtol=1e-3, atol=1e-9)
 
 
+@pytest.mark.walk
 def test_the_page_says_what_else_was_tried_and_what_it_earns(found: Diagnosis) -> None:
     law = found.laws[0]
     assert law.forms_tried
@@ -154,6 +161,7 @@ def test_the_page_says_what_else_was_tried_and_what_it_earns(found: Diagnosis) -
         assert f"{r.gain - r.charge:.0f}" in part
 
 
+@pytest.mark.walk
 def test_every_term_of_a_law_has_its_curve(found: Diagnosis) -> None:
     law = found.laws[0]
     (curve,), (term,) = law.curves, law.terms
@@ -174,6 +182,7 @@ def test_what_geometry_leaves_is_of_the_rows_that_the_law_was_asked_of(made: Dia
     assert proof.rms < 0.5 * proof.without
 
 
+@pytest.mark.walk
 def test_the_page_shows_it_as_mathematics_with_its_curve(found: Diagnosis) -> None:
     page = report.diagnosis(found)
     assert "A law that nobody has registered" in page
@@ -206,6 +215,7 @@ def test_every_construct_of_a_law_has_its_mathematics(expression: str, parts: li
     ElementTree.fromstring(shown)
 
 
+@pytest.mark.walk
 def test_a_form_under_which_no_machine_comes_to_rest_is_passed_over(
     made: Diagnosed, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -222,12 +232,14 @@ def test_a_form_under_which_no_machine_comes_to_rest_is_passed_over(
     assert grown.law[0].form.states == ("tension_1",)
 
 
+@pytest.mark.walk
 def test_where_the_vocabulary_explains_the_misfit_no_law_is_looked_for() -> None:
     found = dc.diagnose(ROBOT, record(ROBOT, effect("joint_compliance", (LIMB,), 0.02), of=channels(60, *OF)))
     assert [e.name for e in found.effects] == ["joint_compliance"]
     assert found.laws == ()
 
 
+@pytest.mark.walk
 def test_a_random_walk_is_no_law_of_time() -> None:
     recording = record(ROBOT, n=N, of=channels(N, *OF))
     walk = np.cumsum(np.random.default_rng(4).standard_normal((N, 3)), axis=0) * SIGMA
@@ -235,6 +247,7 @@ def test_a_random_walk_is_no_law_of_time() -> None:
     assert found.laws == ()
 
 
+@pytest.mark.walk
 def test_a_law_with_a_form_that_has_its_part_stands_without_a_name() -> None:
     """Of warmth times the square of what a gauge reads: warmth alone, and times what it reads, cost 19 of chi2 more."""
     case = laws.generate("known", (20281126, 0, 31))
@@ -243,6 +256,7 @@ def test_a_law_with_a_form_that_has_its_part_stands_without_a_name() -> None:
     assert [t.expression for law in found.laws[:1] for t in law.terms] == ["c1*warming*oil_C**2"]
 
 
+@pytest.mark.walk
 def test_it_is_written_as_the_file_of_an_effect_that_says_the_same(found: Diagnosis, tmp_path: Path) -> None:
     import sympy as sp
 
@@ -329,6 +343,7 @@ def test_a_law_of_every_target_comes_back_from_its_file(target: str) -> None:
     assert derived(effect)  # its functions are there to be emitted
 
 
+@pytest.mark.walk
 def test_a_file_that_names_no_effect_is_refused(found: Diagnosis) -> None:
     from deltacal_gen.diagnosis.laws.effect_file import effect_file
     from deltacal_gen.errors import UsageError
@@ -363,6 +378,7 @@ def test_a_law_hidden_by_noise_that_wanders_stands_where_it_costs_less(
     assert bool(found[2].laws) is stands
 
 
+@pytest.mark.walk
 def test_a_joint_whose_zero_wanders_is_told_as_that_and_by_no_effect_of_time() -> None:
     """No noise of readings is like it; functions of time that follow pieces of the walk foretell nothing."""
     n, rng = 70, np.random.default_rng([7, 1])
@@ -377,6 +393,7 @@ def test_a_joint_whose_zero_wanders_is_told_as_that_and_by_no_effect_of_time() -
     assert f"limb {LIMB}, whose zero wanders" in found.location.text
 
 
+@pytest.mark.walk
 def test_readings_without_noise_leave_nothing_but_what_was_concealed() -> None:
     """What poses are not solved to is alike in neighbouring ones, and no physics; walks explain no more of it."""
     hidden = effect("zero_drift", (1, 2), 0.5), effect("thermal_zero", (3,), 0.01)
@@ -385,6 +402,7 @@ def test_readings_without_noise_leave_nothing_but_what_was_concealed() -> None:
     assert {(e.name, e.limbs) for e in found.effects} == {("zero_drift", (1, 2)), ("thermal_zero", (3,))}
 
 
+@pytest.mark.walk
 def test_what_a_law_leaves_far_above_a_declared_noise_is_no_noise() -> None:
     """The law holds, and something else is there that no function of what was recorded explains."""
     exact = record(ROBOT, law("limb.rod = c1*tanh(tension_1/c2)", 2.0, 8.0), n=N, of=channels(N, "payload"))

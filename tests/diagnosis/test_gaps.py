@@ -40,6 +40,7 @@ def warm() -> Diagnosis:
     return diagnose(ROBOT, with_a_thermometer_since(WARM)).answer()
 
 
+@pytest.mark.walk
 def test_an_effect_of_the_channel_is_found_by_the_rows_that_have_it(warm: Diagnosis) -> None:
     (found,) = warm.effects
     assert (found.name, found.limbs) == ("thermal_zero", (2,))
@@ -52,6 +53,7 @@ def test_an_effect_of_the_channel_is_found_by_the_rows_that_have_it(warm: Diagno
     assert before == pytest.approx(drifted * (BEFORE - 20.0), rel=0.1)
 
 
+@pytest.mark.walk
 def test_predictions_at_temperatures_that_are_known_know_nothing_of_the_gap(warm: Diagnosis, tmp_path: Path) -> None:
     path = tmp_path / "found.json"
     path.write_text(json.dumps(warm.to_dict()), encoding="utf-8")
@@ -59,6 +61,7 @@ def test_predictions_at_temperatures_that_are_known_know_nothing_of_the_gap(warm
     assert np.sqrt(np.mean((dc.predict(path, fresh).measured - fresh.measured) ** 2)) < 0.01
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize(
     "truth",
     [effect("zero_drift", (2,), 0.05), effect("zero_jump", (2,), 0.03, constants=(float(TIME["time_s"][FROM]),)), None],
@@ -70,6 +73,7 @@ def test_what_has_nothing_to_do_with_the_channel_is_not_named_after_it(truth: Te
     assert not any("thermal" in name for e in found.effects for name in e.indistinguishable_from)
 
 
+@pytest.mark.walk
 def test_older_rows_without_a_payload_had_none_but_cells_here_and_there_were_lost() -> None:
     soft = effect("joint_compliance", (1, 2, 3), 0.011)
     loads = np.where(np.arange(N) < FROM, 0.0, 1.0 + np.arange(N) % 2)

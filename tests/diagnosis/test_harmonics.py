@@ -80,6 +80,7 @@ def test_harmonics_are_cheaper_together() -> None:
     assert charge(one, forms, 6) + MARGIN < 0.5 * 6 * (charge(one, len(ORDERS)) + MARGIN)
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize(("shape", "order"), [("square", 8), ("saw", 9)])
 def test_a_shape_that_is_no_sine_is_named_with_what_its_fundamental_carries(shape: str, order: int) -> None:
     robot = machine()
@@ -105,6 +106,7 @@ def test_a_shape_that_is_no_sine_is_named_with_what_its_fundamental_carries(shap
     assert found.final.heldout_rms_mm < 0.016  # of .01 noise; three waves leave .02
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize(("order", "seen"), [(3, False), (24, True)])
 def test_a_wave_that_was_not_seen_to_repeat_is_told_as_such(order: int, seen: bool) -> None:
     robot = machine()
@@ -124,6 +126,7 @@ def test_a_wave_that_was_not_seen_to_repeat_is_told_as_such(order: int, seen: bo
         assert ("was not seen to repeat, and is not known there" in shown) is not seen
 
 
+@pytest.mark.walk
 def test_several_waves_are_told_in_one_phrase_by_their_orders() -> None:
     """Each had a phrase of its own, without its order: one joint had `a periodic error` three times over."""
     robot = machine()

@@ -54,6 +54,7 @@ def test_what_comes_near_its_price_is_a_hint_with_poses_that_would_decide(weak: 
     assert found.rejected
 
 
+@pytest.mark.walk
 def test_what_is_held_out_and_predicted_worse_is_no_name(monkeypatch: pytest.MonkeyPatch) -> None:
     robot, n, rng = machine(), 60, np.random.default_rng(4)
     made = record(robot, effect("backlash", (2,), 0.02), n=n, of=channels(n, "approach"))

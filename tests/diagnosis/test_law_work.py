@@ -65,6 +65,7 @@ def outcome(at: Fit) -> Any:
     )
 
 
+@pytest.mark.walk
 @using(Backend.COMPILED)
 def test_where_names_explain_more_than_any_law_none_is_grown_in_their_place(
     known: Fit, monkeypatch: pytest.MonkeyPatch

@@ -78,6 +78,7 @@ def missed(known: Diagnosis, fresh: Recording) -> float:
     return float(np.sqrt(np.mean((dc.predict(known, fresh).measured - fresh.measured) ** 2)))
 
 
+@pytest.mark.walk
 def test_every_joint_is_corrected_by_its_own_angle_and_none_is_named(arm: Robot, found: Diagnosis) -> None:
     assert found.verdict == "unexplained"
     assert not found.effects
@@ -91,6 +92,7 @@ def test_every_joint_is_corrected_by_its_own_angle_and_none_is_named(arm: Robot,
     assert made.heldout_rms_mm.after == pytest.approx(promised, rel=0.25)  # by fits of a part, a little more
 
 
+@pytest.mark.walk
 def test_an_order_that_is_there_keeps_its_name(arm: Robot) -> None:
     told = diagnosed(arm, read(arm, anywhere(200, 3), 3, order=31.0))
     assert told.correction is not None
@@ -98,6 +100,7 @@ def test_an_order_that_is_there_keeps_its_name(arm: Robot) -> None:
     assert ("transmission_eccentricity", [31.0]) in named
 
 
+@pytest.mark.walk
 def test_the_waves_that_carry_most_are_told(found: Diagnosis) -> None:
     made = found.correction
     assert made is not None
@@ -116,6 +119,7 @@ def test_the_waves_that_carry_most_are_told(found: Diagnosis) -> None:
     assert "No period is claimed" in found.summary
 
 
+@pytest.mark.walk
 def test_it_fades_where_a_joint_or_the_path_was_not(arm: Robot, found: Diagnosis) -> None:
     q = anywhere(40, 5)
     assert (dc.predict(found, read(arm, q, 5)).channels[CORRECTED] > 0.99).mean() > 0.9
@@ -143,6 +147,7 @@ def along(n: int) -> np.ndarray:
     return RANGES_DEG.mean(axis=1) + np.ptp(RANGES_DEG, axis=1) / 2 * swing
 
 
+@pytest.mark.walk
 def test_on_a_path_it_holds_near_the_path_and_says_what_is_not_known(arm: Robot) -> None:
     every = read(arm, along(600), 2)
     train, test = (every.subset(np.arange(k, 600, 2)) for k in (0, 1))

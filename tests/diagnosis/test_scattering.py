@@ -38,6 +38,7 @@ def geometry(recording: Recording) -> Fit:
     return fit(problem, Prior(), drop_gross=False, must_converge=False)
 
 
+@pytest.mark.walk
 def test_the_joint_that_moves_what_is_left_is_told_and_no_noise_is_blamed() -> None:
     found = diagnose(ROBOT, restless(7e-5)).answer()
     assert (found.verdict, found.effects, found.laws) == ("unexplained", (), ())
@@ -45,6 +46,7 @@ def test_the_joint_that_moves_what_is_left_is_told_and_no_noise_is_blamed() -> N
     assert "moves readings as one joint does, at limb 2" in found.location.text
 
 
+@pytest.mark.walk
 def test_a_gross_error_beside_it_is_no_part_of_what_is_told() -> None:
     """Nor is a channel that earns next to nothing, which is none that the misfit depends on."""
     made = restless(7e-5)
@@ -105,6 +107,7 @@ def test_what_repeats_show_is_noise_whoever_makes_it() -> None:
     assert scattering(geometry(dataclasses.replace(recording, measured=recording.measured + noise))) is None
 
 
+@pytest.mark.walk
 def test_cells_that_were_not_measured_are_no_rows_that_are_not_there() -> None:
     """What joints' steps do is asked of every reading by its own row; a diagnosis of such a recording ended there."""
     made = restless(7e-5)

@@ -44,6 +44,7 @@ def geometry(*terms: Term, kind: str = "position", n: int = N) -> Fit:
     return fit(problem, Prior(), drop_gross=False, must_converge=False)
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize("kind", ["position", "distance"])
 def test_geometry_that_physics_strains_is_no_doubt_of_the_drawing(kind: str) -> None:
     truth = effect("joint_scale", (1, 2, 3), 0.01)

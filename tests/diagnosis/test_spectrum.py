@@ -111,6 +111,7 @@ def half_seen(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Diagnosis
     return folder, commands.diagnose(folder / "robot.toml", path, folder / "known.json")
 
 
+@pytest.mark.walk
 def test_the_joints_and_the_size_of_their_errors_are_found(found: Spectrum) -> None:
     assert found.limbs == JOINTS
     for j, limb in enumerate(JOINTS):
@@ -119,6 +120,7 @@ def test_the_joints_and_the_size_of_their_errors_are_found(found: Spectrum) -> N
     assert found.heldout[1] < 0.6 * found.heldout[0]
 
 
+@pytest.mark.walk
 def test_the_error_is_known_to_the_standard_deviation_that_is_stated(found: Spectrum) -> None:
     angle = np.random.default_rng(2).uniform(-170, 170, 300) * DEG
 
@@ -134,6 +136,7 @@ def test_the_error_is_known_to_the_standard_deviation_that_is_stated(found: Spec
         assert 0.5 < np.std(off) / found.std[limb] < 1.6
 
 
+@pytest.mark.walk
 def test_the_orders_that_stand_out_are_those_that_are_there(found: Spectrum) -> None:
     for j, limb in enumerate(JOINTS):
         true = {k: float(np.hypot(*c[j])) * DEG for k, c in amplitudes().items()}
@@ -166,6 +169,7 @@ def of_joint(j: int, errors: dict[int, np.ndarray], angle: np.ndarray) -> np.nda
     return np.asarray(error - error.mean())
 
 
+@pytest.mark.walk
 def test_over_a_part_of_the_turn_no_order_is_told_that_others_cancel(
     of_a_part: tuple[dict[int, np.ndarray], Spectrum],
 ) -> None:
@@ -178,6 +182,7 @@ def test_over_a_part_of_the_turn_no_order_is_told_that_others_cancel(
             assert np.std(of_joint(j, {k: c for k, c in terms.items() if k != s.order}, angle)) < whole
 
 
+@pytest.mark.walk
 def test_the_zero_of_a_joint_is_no_part_of_what_is_unknown_of_its_error(
     of_a_part: tuple[dict[int, np.ndarray], Spectrum],
 ) -> None:
@@ -189,6 +194,7 @@ def test_the_zero_of_a_joint_is_no_part_of_what_is_unknown_of_its_error(
         assert 0.5 < np.std(as_found - true) / found.std[limb] < 1.6
 
 
+@pytest.mark.walk
 def test_they_are_told_in_the_answer_in_words_and_on_the_page(half_seen: tuple[Path, Diagnosis]) -> None:
     _, answer = half_seen
     [many] = [e for e in answer.effects if e.orders is not None]
@@ -202,6 +208,7 @@ def test_they_are_told_in_the_answer_in_words_and_on_the_page(half_seen: tuple[P
         assert f" {s.limb} {s.order} {report.measured(s.amplitude_deg, s.std_deg)} deg" in re.sub(" +", " ", page)
 
 
+@pytest.mark.walk
 def test_what_is_fitted_beside_is_as_unknown_as_the_orders_leave_it(tmp_path: Path) -> None:
     at = geometry(taken(tmp_path, "poses", NOISE, concealed=True, seed=6))
     found = found_in(at)
@@ -216,6 +223,7 @@ def test_what_is_fitted_beside_is_as_unknown_as_the_orders_leave_it(tmp_path: Pa
     assert np.mean(np.abs(off / stated) < 2) >= 0.85
 
 
+@pytest.mark.walk
 def test_rows_that_hang_together_count_by_their_effective_number(at: Fit, found: Spectrum) -> None:
     series = Series.of(at.problem.readings, at.problem.recording)
     assert series is not None
@@ -230,6 +238,7 @@ def test_rows_that_hang_together_count_by_their_effective_number(at: Fit, found:
         assert less_sure.std[joint] > 1.05 * found.std[joint]
 
 
+@pytest.mark.walk
 def test_a_search_leaves_unknown_orders_what_they_may_take(at: Fit, found: Spectrum) -> None:
     fifth = at.problem.body.blank(wave(), JOINTS, (5.0,))
     known, unknown = dataclasses.replace(at.problem, held=found.terms), found.held_in(at.problem)
@@ -262,6 +271,7 @@ def test_angles_that_were_never_seen_are_told() -> None:
     assert told[0].words.startswith(f"joint {told[0].limb} stands in {told[0].readings} readings at angles")
 
 
+@pytest.mark.walk
 def test_another_session_tells_further_of_errors_where_the_diagnosis_never_was(
     half_seen: tuple[Path, Diagnosis],
 ) -> None:
@@ -289,6 +299,7 @@ def test_another_session_tells_further_of_errors_where_the_diagnosis_never_was(
     assert 0.9 < np.mean(np.abs(off(carried)) < np.hypot(half, 1.96 * NOISE)) <= 1.0
 
 
+@pytest.mark.walk
 def test_errors_that_are_held_stand_in_the_readings_again(at: Fit, found: Spectrum) -> None:
     problem, parts = at.problem, folds(at.problem.readings, at.problem.recording)
     turns, errors = problem.body.q[problem.readings.rows[:, 0]], {j: found.coefficients(j) for j in found.limbs}
@@ -299,6 +310,7 @@ def test_errors_that_are_held_stand_in_the_readings_again(at: Fit, found: Spectr
     assert once.sized(found.limbs, found.corner).evidence == pytest.approx(sized.evidence, rel=1e-9)
 
 
+@pytest.mark.walk
 def test_errors_that_were_mended_since_are_dropped(half_seen: tuple[Path, Diagnosis]) -> None:
     folder, known = half_seen
     since = read_recording(taken(folder, "mended", NOISE, concealed=False, seed=13), mechanism_of(robot()))
@@ -309,6 +321,7 @@ def test_errors_that_were_mended_since_are_dropped(half_seen: tuple[Path, Diagno
     assert carried.heldout_rms_mm == pytest.approx(alone.heldout_rms_mm, rel=1e-3)
 
 
+@pytest.mark.walk
 def test_what_another_session_tells_further_is_on_the_screen(
     half_seen: tuple[Path, Diagnosis], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

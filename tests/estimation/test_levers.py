@@ -90,6 +90,7 @@ def straight() -> Fit:
     return fit(pose_problem(arm, read, mechanism.model(mechanism.full_model)), Prior(), must_converge=False)
 
 
+@pytest.mark.walk
 def test_of_joints_that_nothing_tells_apart_the_one_that_gives_least_is_named_and_the_others_told(
     straight: Fit,
 ) -> None:

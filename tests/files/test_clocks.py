@@ -207,6 +207,7 @@ def test_every_kind_of_reading_tells_its_clock(tmp_path: Path, kind: str, said: 
         assert p["std"] < 0.2e-3
 
 
+@pytest.mark.walk
 def test_where_nothing_else_is_wrong_nothing_else_is_named(recorded: Path) -> None:
     found = dc.diagnose(recorded.with_name("robot.toml"), recorded)
     assert (found["verdict"], found["effects"]) == ("adequate", [])
@@ -214,6 +215,7 @@ def test_where_nothing_else_is_wrong_nothing_else_is_named(recorded: Path) -> No
     assert "latency" in {m["name"] for m in found["not_tested"]}
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize("names", [(), ("1", "2"), ("forth", "back")])
 def test_readings_that_come_late_need_no_speeds_in_the_file(tmp_path: Path, names: tuple[str, ...]) -> None:
     """One clock: what is read belongs to 12 ms earlier; no qd stands in the file. Runs may have any name, or none."""
@@ -231,6 +233,7 @@ def test_readings_that_come_late_need_no_speeds_in_the_file(tmp_path: Path, name
     assert abs(delay["value"] - 0.012) < 4 * delay["std"] < 1e-3
 
 
+@pytest.mark.walk
 def test_a_joint_that_lags_the_others_is_named_and_they_are_not(tmp_path: Path) -> None:
     """The second joint does 15 ms later what is read of it; where all do, that is one delay: see the test before."""
     rng, t, rows = np.random.default_rng(100), np.arange(0.5, 3.5, 0.01), list[Any]()
@@ -248,6 +251,7 @@ def test_a_joint_that_lags_the_others_is_named_and_they_are_not(tmp_path: Path) 
     assert abs(delay["value"] - 0.015) < 4 * delay["std"] < 1e-3
 
 
+@pytest.mark.walk
 def test_a_joint_that_twists_with_acceleration_needs_none_in_the_file(tmp_path: Path) -> None:
     """Simulated by exact accelerations, which are then taken out of the file: they come from the joints themselves."""
     t = np.arange(0.0, 3.0, 0.015)

@@ -82,6 +82,7 @@ def diagnosed(recorded: Path) -> Any:
     return dc.diagnose(recorded.with_name("robot.toml"), recorded)
 
 
+@pytest.mark.walk
 def test_offsets_and_rate_are_found_with_the_friction(diagnosed: Any) -> None:
     found = clocks(diagnosed)
     truth = {("clock_offset", run): value for run, value in OFFSET.items()} | {("clock_rate", None): RATE}
@@ -94,12 +95,14 @@ def test_offsets_and_rate_are_found_with_the_friction(diagnosed: Any) -> None:
     assert len(diagnosed["parameters"]) == diagnosed["rank"] + 3
 
 
+@pytest.mark.walk
 def test_the_rigid_machine_is_identified_beside_its_clocks(recorded: Path, tmp_path: Path) -> None:
     found = dc.identify(recorded.with_name("robot.toml"), recorded, report=tmp_path / "page.html")
     assert clocks(found)["clock_offset", "b"]["value"] == pytest.approx(OFFSET["b"], abs=0.5e-3)
     assert "clock_rate" in (tmp_path / "page.html").read_text()
 
 
+@pytest.mark.walk
 def test_a_result_knows_the_clocks_of_its_runs(recorded: Path, diagnosed: Any, run: Run, tmp_path: Path) -> None:
     assert dc.validate(diagnosed.to_dict(), recorded)["rms_by_joint"] == pytest.approx([NOISE] * 3, rel=0.1)
     (tmp_path / "result.json").write_text(diagnosed.to_json())
@@ -111,6 +114,7 @@ def test_a_result_knows_the_clocks_of_its_runs(recorded: Path, diagnosed: Any, r
     assert [line.split(",")[:1] for line in lines] == [line.split(",")[:1] for line in given]
 
 
+@pytest.mark.walk
 def test_another_run_needs_its_offset(recorded: Path, diagnosed: Any, tmp_path: Path) -> None:
     for end in (".csv", ".instrument.csv"):
         text = recorded.with_name(f"recording{end}").read_text()
@@ -123,6 +127,7 @@ def test_another_run_needs_its_offset(recorded: Path, diagnosed: Any, tmp_path: 
     assert dc.validate(diagnosed, tmp_path / "new.csv")["rms_by_joint"] == pytest.approx([NOISE] * 3, rel=0.1)
 
 
+@pytest.mark.walk
 def test_a_joint_that_comes_late_beside_the_others_moves_no_clock(tmp_path: Path) -> None:
     """That of the second joint, whose readings tell the time most sharply."""
     path = written(tmp_path, late=(0.0, 0.012, 0.0))

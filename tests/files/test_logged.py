@@ -59,6 +59,7 @@ def held(rows: list[list[str]]) -> list[list[str]]:
 ODDITIES = [(emptied, "all zero"), (thrice, "joints are read"), (held, "drives are read")]
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize(("change", "words"), ODDITIES)
 def test_rows_that_say_nothing_new_are_left_out(recorded: Path, tmp_path: Path, change: Change, words: str) -> None:
     path = logged(recorded, tmp_path, change)

@@ -36,6 +36,7 @@ def spoilt(folder: Path, spoil: Spoil, **kept: Any) -> Path:
     return path
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize("spoil", [zeros, frozen])
 def test_readings_that_were_lost_are_left_out_and_told(tmp_path: Path, spoil: Spoil) -> None:
     path = spoilt(tmp_path, spoil)
@@ -49,6 +50,7 @@ def test_readings_that_were_lost_are_left_out_and_told(tmp_path: Path, spoil: Sp
     assert rigid["motion"]["repairs"][-1] == said
 
 
+@pytest.mark.walk
 def test_a_reading_that_ends_at_its_range_is_lost_there(tmp_path: Path) -> None:
     path = written(tmp_path, usual)
     head, *rows = [line.split(",") for line in path.read_text().splitlines()]
@@ -61,6 +63,7 @@ def test_a_reading_that_ends_at_its_range_is_lost_there(tmp_path: Path) -> None:
     assert named(found) == {"coulomb_friction": [1, 2], "viscous_friction": [1, 3]}
 
 
+@pytest.mark.walk
 def test_a_drive_of_coarse_counts_loses_nothing(tmp_path: Path) -> None:
     """Its readings repeat themselves, for long where it goes on evenly, and are all of them true."""
     path = written(tmp_path, usual)
@@ -70,6 +73,7 @@ def test_a_drive_of_coarse_counts_loses_nothing(tmp_path: Path) -> None:
     assert dc.diagnose(tmp_path / "robot.toml", path)["motion"]["repairs"] == []
 
 
+@pytest.mark.walk
 def test_a_drive_that_gives_the_same_for_long_is_believed(tmp_path: Path) -> None:
     """Without noise an even motion asks for one torque all along: nothing was lost where the model gives it too."""
     (tmp_path / "robot.toml").write_text(

@@ -189,6 +189,7 @@ def test_a_turn_that_was_lost_is_found_wherever_the_joint_may_turn() -> None:
     assert np.abs(read_so - angles).max() < 1e-9
 
 
+@pytest.mark.walk
 def test_of_a_drive_whose_reading_never_changes_nothing_is_said(recorded: Path, tmp_path: Path) -> None:
     (tmp_path / "robot.toml").write_text((recorded.parent / "robot.toml").read_text())
     path = changed(recorded, tmp_path, of_column(6, lambda _: 0.0))
@@ -201,6 +202,7 @@ def test_of_a_drive_whose_reading_never_changes_nothing_is_said(recorded: Path, 
     assert all(np.isfinite(p["std"]) for p in known.values())
 
 
+@pytest.mark.walk
 def test_of_a_drive_that_was_not_read_nothing_is_said(recorded: Path, tmp_path: Path) -> None:
     """It moves for all that."""
 
@@ -218,6 +220,7 @@ def test_of_a_drive_that_was_not_read_nothing_is_said(recorded: Path, tmp_path: 
     assert found["next_measurements"][0]["text"] == "Record what the drive of joint 2 gives: its cells are blank."
 
 
+@pytest.mark.walk
 def test_readings_at_a_limit_are_left_out(recorded: Path, tmp_path: Path) -> None:
     """Those of drives that come near their largest seldom, of coarse counts, or of a switch are at none."""
     (tmp_path / "robot.toml").write_text((recorded.parent / "robot.toml").read_text())
@@ -253,6 +256,7 @@ def test_what_is_put_right_is_told_by_every_command(run: Run, recorded: Path, tm
         assert "and 957 more that were put right or left out" in " ".join(out.split())
 
 
+@pytest.mark.walk
 def test_a_reading_that_is_counted_against_its_angle_is_told(recorded: Path, tmp_path: Path) -> None:
     """Motors are mounted either way: of currents that is one more unknown, and nothing is predicted worse."""
     (tmp_path / "robot.toml").write_text((recorded.parent / "robot.toml").read_text())
@@ -301,6 +305,7 @@ def test_what_cannot_be_used_is_refused_with_its_place(recorded: Path, tmp_path:
     assert words in str(error.value)
 
 
+@pytest.mark.walk
 def test_noise_that_is_much_is_said(tmp_path: Path) -> None:
     """Little that is left, or much: either is adequate where it depends on nothing."""
     rng = np.random.default_rng(7)

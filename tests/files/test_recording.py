@@ -433,6 +433,7 @@ def test_parquet_reads_like_csv(read: Any, tmp_path: Path) -> None:
         read_recording(tmp_path / "bad.parquet", DELTA)
 
 
+@pytest.mark.walk
 @settings(max_examples=150, derandomize=True, deadline=None)
 @given(
     st.one_of(st.binary(), st.text().map(str.encode), st.text('q1_degabxyzm,;"\n\r\t#-.5').map(str.encode)),

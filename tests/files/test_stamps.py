@@ -34,6 +34,7 @@ def stamped(recording: Recording, before: float = BEFORE) -> Recording:
     return dataclasses.replace(recording, channels=recording.channels | {"time_s": time})
 
 
+@pytest.mark.walk
 def test_a_drift_is_found_and_predicted_all_the_same(robot: Robot, drifting: Recording) -> None:
     plain, late = (diagnose(robot, r).answer() for r in (drifting, stamped(drifting)))
     assert [e.name for e in plain.effects] == ["zero_drift"]

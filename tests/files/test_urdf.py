@@ -119,6 +119,7 @@ def drawn(rng: np.random.Generator, ways: Sequence[str], kinds: Sequence[str], f
     return out
 
 
+@pytest.mark.walk
 @given(
     seed=st.integers(0, 2**32),
     ways=st.lists(st.tuples(st.sampled_from(WAYS), st.sampled_from(["revolute", "continuous", SLIDES])), max_size=8),

@@ -55,6 +55,7 @@ def test_what_is_levelled_is_alike_in_all_directions() -> None:
     assert own[4, :, 1] == pytest.approx(level @ values[4, :, 1])
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize("k", [4])
 def test_noise_with_directions_beside_tails_and_time_is_noise(k: int) -> None:
     found = diagnose(ROBOT, null("AR mixed", k)).answer()
@@ -67,6 +68,7 @@ def test_noise_with_directions_beside_tails_and_time_is_noise(k: int) -> None:
     assert "times that along" in model.text
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize("k", [25, 37])
 def test_directions_that_rows_show_once_freed_are_no_slip(k: int) -> None:
     """Before they are, noise that is larger along one axis is one that wanders beside an instrument that slips."""
@@ -86,6 +88,7 @@ def test_identify_weighs_directions() -> None:
     assert fitted.sigma[0] == pytest.approx(SIGMA, rel=0.15)
 
 
+@pytest.mark.walk
 def test_physics_along_one_axis_is_no_noise() -> None:
     found = diagnose(ROBOT, _read(effect("distal_compliance", (1, 2, 3), *[1e-2] * 3))).answer()
     assert [e.name for e in found.effects] == ["distal_compliance"]

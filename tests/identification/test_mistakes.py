@@ -150,6 +150,7 @@ def test_rows_that_are_off_together_are_no_single_cells(arm: Robot) -> None:
         fitting._blame(problem, off)
 
 
+@pytest.mark.walk
 def test_a_left_handed_frame_and_inches_are_named(arm: Robot) -> None:
     good = recorded(arm, wide(np.random.default_rng(2), 120, 1.2), size=0.3)
     for words, measured in (
@@ -281,6 +282,7 @@ def test_joints_that_were_logged_of_another_machine_are_told(arm: Robot) -> None
         identify(arm, dataclasses.replace(readings, joints=still))
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize(("longer", "declared"), [(129.0, True), (129.0, False), (160.0, True)])
 def test_a_machine_of_other_lengths_is_fitted_and_told_instead_of_noise_of_millimetres(
     longer: float, declared: bool

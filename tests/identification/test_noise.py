@@ -104,6 +104,7 @@ def test_a_sigma_that_noise_exceeds_is_wrong(k: int) -> None:
     assert "times too small: what is left depends on nothing that was recorded" in found.summary
 
 
+@pytest.mark.walk
 def test_a_sigma_that_repeats_bear_out_is_right_and_what_exceeds_it_no_noise() -> None:
     pose = np.arange(120) // 3
     joints = np.degrees(record(ROBOT, n=120, seed=5).joints)[pose]
@@ -119,6 +120,7 @@ def test_no_data_sheet_is_wrong_by_ten() -> None:
     assert diagnose(ROBOT, dataclasses.replace(made, measurement=stated)).answer().verdict == "unexplained"
 
 
+@pytest.mark.walk
 def test_what_noise_that_hangs_together_outweighs_is_a_hint() -> None:
     of = channels(100, "time", seed=3)
     rate = 0.03 / (of["time_s"][-1] / 3600)
@@ -195,6 +197,7 @@ def test_repeats_contradict_a_sigma_whatever_changes_between_them() -> None:
     assert "repeats of a pose differ by" in found.summary
 
 
+@pytest.mark.walk
 def test_rows_that_are_copies_are_no_repeats() -> None:
     made = null("white", 1)
     n = made.n_rows

@@ -178,6 +178,7 @@ def test_an_instrument_that_wanders_does_not_drift(k: int) -> None:
     assert "hangs together" in found.noise.model.text
 
 
+@pytest.mark.walk
 def test_what_moves_on_from_the_first_row_to_the_last_is_not_called_noise() -> None:
     """A set-up shows it once: `noise that hangs together over 50 rows`, of 50, told nobody to look for what moves."""
     found = diagnose(ROBOT, null("walk", 3)).answer()
@@ -199,6 +200,7 @@ def test_a_drift_is_no_noise() -> None:
     assert [e.name for e in diagnose(ROBOT, made).answer().effects] == ["instrument_drift"]
 
 
+@pytest.mark.walk
 def test_the_size_of_noise_is_that_of_a_reading_though_a_fit_took_what_fades() -> None:
     sizes = [diagnose(ROBOT, null("AR 0.9", k)).final.sigma[0] for k in (1, 7)]
     assert np.mean(sizes) == pytest.approx(SIGMA, rel=0.2)

@@ -51,6 +51,7 @@ def test_what_fits_exactly_has_no_tails() -> None:
     assert tails(np.zeros(10)) == NO_TAILS
 
 
+@pytest.mark.walk
 def test_answers_tell_tails_in_words_and_count_with_them() -> None:
     recording = null("t3", 8)  # declares nothing
     found = diagnose(ROBOT, recording).answer()

@@ -73,6 +73,7 @@ def written(given: Path, place: Path, *history: str, cache: Path) -> dict[str, b
     return {path.name: path.read_bytes() for path in place.iterdir() if path.name not in before}
 
 
+@pytest.mark.walk
 def test_neither_the_cache_nor_what_ran_before_moves_a_bit(given: Path, tmp_path: Path) -> None:
     cache = tmp_path / "cache"
     no_folder = tmp_path / "file"

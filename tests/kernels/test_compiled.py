@@ -62,6 +62,7 @@ def end(process: subprocess.Popen[str]) -> tuple[float, int, int, Path]:
     return value, hits, misses, Path(path)
 
 
+@pytest.mark.walk
 def test_processes_that_compile_at_once_and_kernels_that_change(package: Path) -> None:
     first, second = (end(process) for process in [begin(package), begin(package)])
     assert first[0] == second[0]

@@ -35,6 +35,7 @@ def inertia_of_joints(robot: Robot, q: np.ndarray, inertia: np.ndarray) -> np.nd
     return np.stack(columns, axis=2)
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize("name", NAMES)
 def test_the_regressor_times_the_parameters_is_the_torque(name: str) -> None:
     robot = machine(name)
@@ -168,6 +169,7 @@ def test_a_rod_with_an_inertia_of_its_own_is_two_ends_and_a_middle() -> None:
     assert heavy - uniform == pytest.approx(2 * (uniform - torque(0.0)), abs=1e-9 * np.abs(uniform).max())
 
 
+@pytest.mark.walk
 def test_a_pose_out_of_reach_has_no_torque() -> None:
     robot = machine("linear_delta")
     motion, own = states(robot, 5), dynamics_of(robot)

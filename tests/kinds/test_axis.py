@@ -99,6 +99,7 @@ def both_ways(folder: Path, robot: Robot, profile: Array, gap: float, seed: int)
     return read_recording(folder / "ways.csv", load_mechanism("serial", robot.links))
 
 
+@pytest.mark.walk
 def test_a_profile_that_comes_back_is_no_noise_however_few_visits_show_it(robot: Robot, tmp_path: Path) -> None:
     """Ten places forth and back were fewer than tell noise: 12 um that came back to 2 um `looked like noise`."""
     for seed in range(4):
