@@ -55,7 +55,6 @@ def run(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> 
 
     def call(*arguments: object) -> tuple[int, str, str]:
         monkeypatch.setattr(sys, "argv", ["deltacal", *map(str, arguments)])
-        monkeypatch.setattr(cli.common.screen, "_file", None)
         code = 0
         try:
             cli.main()

@@ -1,30 +1,25 @@
 """What ``deltacal_gen`` exports, and where it lives; ``__init__`` looks names up here, on first use."""
 
-from .app.commands import (
-    batch as batch,
-    certificate as certificate,
+from .app.commands.assess import certificate as certificate, compare as compare, validate as validate
+from .app.commands.calibration import diagnose as diagnose, identify as identify, matrix as matrix
+from .app.commands.experiments import next_poses as next_poses, simulate as simulate
+from .app.commands.guide import demo as demo, manual as manual, manual_examples as manual_examples
+from .app.commands.many import batch as batch, study as study
+from .app.commands.model_side import (
     claims as claims,
-    compare as compare,
-    compensate as compensate,
-    demo as demo,
     derivation as derivation,
-    diagnose as diagnose,
     effects as effects,
+    kernels as kernels,
+    models as models,
+    reproduce as reproduce,
+)
+from .app.commands.plans import plan as plan, plan_cycles as plan_cycles, plan_trajectory as plan_trajectory
+from .app.commands.use import (
+    compensate as compensate,
+    export_compensator as export_compensator,
     feed_forward as feed_forward,
     firmware_lines as firmware_lines,
-    identify as identify,
-    kernels as kernels,
-    manual as manual,
-    manual_examples as manual_examples,
-    matrix as matrix,
-    models as models,
-    next_poses as next_poses,
-    plan as plan,
     predict as predict,
-    reproduce as reproduce,
-    simulate as simulate,
-    study as study,
-    validate as validate,
 )
 from .errors import (
     DeltacalError as DeltacalError,

@@ -201,7 +201,7 @@ def test_an_unreachable_target_is_no_solution(run: Run, shop: Path) -> None:
 
 def test_usage_errors_have_their_own_code(run: Run, shop: Path) -> None:
     assert run("identify", shop / "robot.toml", shop / "recording.csv", "--model", "delta/99")[0] == 2
-    assert run("identify", shop / "robot.toml", shop / "recording.csv", "--solver", "magic")[0] == 2
+    assert run("identify", shop / "robot.toml", shop / "recording.csv", "--method", "magic")[0] == 2
     assert run("identify")[0] == 2
     assert run("nonsense")[0] == 2
 

@@ -8,7 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from deltacal_gen.app import commands, demonstration
+import deltacal_gen as dc
+from deltacal_gen.app import demonstration
 from deltacal_gen.files.recording import read_recording
 from deltacal_gen.machine.registry import load_mechanism
 
@@ -18,7 +19,7 @@ def test_the_recording_is_what_the_command_in_the_truth_file_makes(tmp_path: Pat
     command = next(line for line in (folder / "truth.toml").read_text().splitlines() if "deltacal simulate" in line)
     noise, seed = float(command.split("--noise ")[1].split()[0]), int(command.split("--seed ")[1].split()[0])
     robot = folder / "robot.toml"
-    made = commands.simulate(robot, folder / "poses.csv", truth=folder / "truth.toml", noise=noise, seed=seed)
+    made = dc.simulate(robot, folder / "poses.csv", truth=folder / "truth.toml", noise=noise, seed=seed)
     read = read_recording(folder / "recording.csv", load_mechanism("delta"))
     assert read.measured == pytest.approx(made.measured, abs=0.5001e-4)
     assert read.joints == pytest.approx(made.joints, abs=1e-12)
@@ -38,7 +39,7 @@ def test_the_demonstration_finds_models_and_takes_out_what_is_concealed(
         return read_truth(*arguments)  # type: ignore[arg-type]
 
     monkeypatch.setattr(demonstration, "read_truth", watched)
-    found = commands.demo(tmp_path / "demo")
+    found = dc.demo(output=tmp_path / "demo")
     assert written == [set(found["files"])]  # the truth is read after everything is written
     diagnosis = found["diagnosis"]
     assert diagnosis == json.loads((tmp_path / "demo" / "diagnosis.json").read_text())

@@ -15,8 +15,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import deltacal_gen as dc
 from deltacal_gen import InputError, UsageError
-from deltacal_gen.app import commands, fleet
+from deltacal_gen.app import fleet
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.app.moved import grown, moved
 from deltacal_gen.files.robot import robot_from_dict, robot_to_toml
@@ -112,7 +113,7 @@ def test_a_diagnosis_says_which_part_has_moved(shop: Path, tmp_path: Path) -> No
 @pytest.mark.walk
 def test_an_effect_that_has_grown_is_said() -> None:
     folder = example("gearbox")
-    found = commands.diagnose(folder / "robot.toml", folder / "recording.csv")
+    found = dc.diagnose(folder / "robot.toml", folder / "recording.csv")
 
     def diagnosis(width: float) -> Diagnosis:
         part = EffectParameter(name="width", limb=1, value=width, std=0.001, unit="deg")
@@ -126,7 +127,7 @@ def test_an_effect_that_has_grown_is_said() -> None:
 @pytest.mark.walk
 def test_each_measured_point_is_compared_with_itself() -> None:
     folder = example("gearbox")
-    found = commands.diagnose(folder / "robot.toml", folder / "recording.csv")
+    found = dc.diagnose(folder / "robot.toml", folder / "recording.csv")
 
     def diagnosis(first: float) -> Diagnosis:
         sizes = {(0.0, 107.0, 36.0): first, (99.0, -11.0, 36.0): 13.5}
@@ -148,7 +149,7 @@ def test_validation_needs_a_result_and_says_so(shop: Path, tmp_path: Path) -> No
     shutil.copytree(shop, copy)
     for k in (1, 2, 3):
         machine = copy / f"printer-{k}"
-        commands.identify(machine / "robot.toml", machine / "s2.csv", "6", machine / "result.json")
+        dc.identify(machine / "robot.toml", machine / "s2.csv", model="6", output=machine / "result.json")
     rows = fleet.conduct(copy, tmp_path / "run", "validate", workers=1)["rows"]
     by_name = {r["recording"]: r for r in rows}
     assert by_name["printer-1/s1.csv"]["after_mm"] < 0.02
@@ -238,7 +239,7 @@ def test_killed_twice_and_resumed_twice_the_table_is_the_same(shop: Path, tmp_pa
 def test_where_there_is_nothing_to_do_no_folder_is_made(tmp_path: Path) -> None:
     (tmp_path / "shop").mkdir()
     with pytest.raises(InputError):
-        commands.batch(tmp_path / "shop", tmp_path / "run")
+        dc.batch(tmp_path / "shop", output=tmp_path / "run")
     assert not (tmp_path / "run").exists()
 
 
@@ -301,7 +302,7 @@ def test_recordings_in_motion_are_done_joint_by_joint(moving: Path, tmp_path: Pa
 def test_drives_are_identified_and_validated(moving: Path, tmp_path: Path) -> None:
     arm = tmp_path / "arm"
     shutil.copytree(moving / "arm", arm)
-    commands.diagnose(arm / "robot.toml", arm / "s1.csv", arm / "result.json")
+    dc.diagnose(arm / "robot.toml", arm / "s1.csv", output=arm / "result.json")
     done = fleet.conduct(arm, tmp_path / "run", "validate", workers=1)
     left = [row["after_by_joint"] for row in done["rows"] if row["error"] is None]
     assert np.array(left) == pytest.approx(0.05, rel=0.3)

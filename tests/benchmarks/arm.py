@@ -16,8 +16,8 @@ from typing import Any
 
 import numpy as np
 
+import deltacal_gen as dc
 from deltacal_gen import read_recording, read_robot
-from deltacal_gen.app import commands
 from deltacal_gen.machine.registry import mechanism_of
 from tests.support.measured import write
 
@@ -29,7 +29,7 @@ def mean_error(result: dict[str, Any], folder: Path) -> float:
     """Return the mean distance [mm] of predicted from measured positions."""
     robot = read_robot(folder / "robot.toml")
     measured = read_recording(folder / "recording.csv", mechanism_of(robot))
-    off = commands.predict(result, measured).measured - measured.measured
+    off = dc.predict(result, measured).measured - measured.measured
     return float(np.nanmean(np.linalg.norm(off, axis=1)))
 
 
@@ -62,18 +62,18 @@ def main() -> None:
     folders = dict(zip(NAMES, given.series, strict=True))
     diagnoses, left, carried = {}, [], []
     for name, folder in folders.items():
-        found = diagnoses[name] = commands.diagnose(folder / "robot.toml", folder / "recording.csv")
+        found = diagnoses[name] = dc.diagnose(folder / "robot.toml", folder / "recording.csv")
         poses = len(found["residuals"]["line"])
         rms = [found[stage][key] for key in ("train_rms_mm", "heldout_rms_mm") for stage in ("baseline", "final")]
         left.append([f"series {name}", str(poses), *(f"{value:.3f}" for value in rms)])
         print(" | ".join(left[-1]), *[f"{e['name']} {e['limbs']}" for e in found["effects"]], flush=True)
     with tempfile.TemporaryDirectory() as place:
         both = together(given.series, Path(place))
-        diagnoses["A and D together"] = commands.diagnose(both / "robot.toml", both / "recording.csv")
+        diagnoses["A and D together"] = dc.diagnose(both / "robot.toml", both / "recording.csv")
     for of, to in (("A", "D"), ("D", "A"), ("A and D together", "D")):
         files = folders[to] / "robot.toml", folders[to] / "recording.csv"
-        geometry = mean_error(commands.identify(*files), folders[to])
-        held = mean_error(commands.identify(*files, physics=diagnoses[of]), folders[to])
+        geometry = mean_error(dc.identify(*files), folders[to])
+        held = mean_error(dc.identify(*files, physics=diagnoses[of]), folders[to])
         carried.append([of, to, f"{geometry:.3f}", f"{held:.3f}", f"{held / geometry:.2f}"])
         print(" | ".join(carried[-1]), flush=True)
     if given.measured:

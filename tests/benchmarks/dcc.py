@@ -44,12 +44,12 @@ def main() -> int:
 
 def _made(folder: Path) -> Path:
     robot = example() / "robot.toml"
-    result = dc.identify(robot, example() / "recording.csv", "32")
+    result = dc.identify(robot, example() / "recording.csv", model="32")
     other = folder / "other.csv"
-    dc.simulate(robot, example() / "poses.csv", other, truth=example() / "truth.toml", noise=0.005, seed=9)
+    dc.simulate(robot, example() / "poses.csv", output=other, truth=example() / "truth.toml", noise=0.005, seed=9)
     about = folder / "about.toml"
     about.write_text('[laboratory]\ncountry = "DE"\n', encoding="utf-8")  # the rules know no country that is not stated
-    dc.certificate(result, other, folder / "certificate.html", about=about)
+    dc.certificate(result, other, output=folder / "certificate.html", about=about)
     return folder / "certificate.xml"
 
 

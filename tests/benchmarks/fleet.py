@@ -20,7 +20,8 @@ from pathlib import Path
 from typing import Any
 from unittest import mock
 
-from deltacal_gen.app import commands, fleet
+import deltacal_gen as dc
+from deltacal_gen.app import fleet
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.errors import DeltacalError
 from deltacal_gen.execution import Outcome, Task
@@ -64,9 +65,9 @@ def study(machines: int, workers: int | None = None) -> float:
     robot = example() / "robot.toml"
     with tempfile.TemporaryDirectory() as folder:
         plan = Path(folder) / "plan.csv"
-        commands.plan(robot, "delta/18", plan)
+        dc.plan(robot, model="delta/18", output=plan)
         begin = time.perf_counter()
-        commands.study(robot, plan, model=MODEL, noise=0.01, trials=machines, workers=workers)
+        dc.study(robot, plan=plan, model=MODEL, noise=0.01, trials=machines, workers=workers)
         return time.perf_counter() - begin
 
 
@@ -93,7 +94,7 @@ def main() -> None:
     rows = [[what, *_cells(of_study, statistics.median), _memory()]]
     of_batch: list[Weight] = []
     with tempfile.TemporaryDirectory() as run, mock.patch.object(fleet, "run", weighed(of_batch)):
-        commands.batch(given.folder, run)
+        dc.batch(given.folder, output=run)
     for name, of in (("median", statistics.median), ("mean", statistics.fmean), ("largest", max)):
         rows.append([f"batch: a recording, {name}", *_cells(of_batch, of), _memory() if of is max else ""])
     gains = []

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from deltacal_gen.app import commands
+import deltacal_gen as dc
 from deltacal_gen.app.demonstration import example
 from tests.support import bags, mocap
 
@@ -47,12 +47,12 @@ def shelf(folder: Path) -> None:
         truth = (
             folder / f"{machine}.truth.toml" if machine == "linear_delta" else None
         )  # else firmware cannot be bettered
-        commands.simulate(robot, folder / f"{machine}.poses.csv", recording, truth=truth, noise=0.02, seed=3)
-        commands.identify(robot, recording, output=folder / f"{machine}.result.json")
+        dc.simulate(robot, folder / f"{machine}.poses.csv", output=recording, truth=truth, noise=0.02, seed=3)
+        dc.identify(robot, recording, output=folder / f"{machine}.result.json")
     for name in ("robot.toml", "recording.csv", "recording.toml"):
         (folder / f"gearbox.{name}").write_bytes((example().parent / "gearbox" / name).read_bytes())
-    commands.diagnose(
-        folder / "gearbox.robot.toml", folder / "gearbox.recording.csv", folder / "gearbox.diagnosis.json"
+    dc.diagnose(
+        folder / "gearbox.robot.toml", folder / "gearbox.recording.csv", output=folder / "gearbox.diagnosis.json"
     )
     for machine, rows in TARGETS.items():
         (folder / f"{machine}.targets.csv").write_text(rows)
@@ -155,10 +155,10 @@ def _kinds(folder: Path) -> None:
         (folder / f"{name}.poses.csv").write_text(poses)
         (folder / f"{name}.poses.toml").write_text(f"[measurement]\n{sidecar}")
         truth = folder / f"{name}.truth.toml"
-        commands.simulate(
+        dc.simulate(
             folder / f"{name}.robot.toml",
             folder / f"{name}.poses.csv",
-            folder / f"{name}.recording.csv",
+            output=folder / f"{name}.recording.csv",
             truth=truth if truth.exists() else None,
             noise=0.01,
             seed=3,
@@ -172,8 +172,8 @@ def _kinds(folder: Path) -> None:
     (folder / "axis.recording.toml").write_text('[measurement]\nkind = "position"\nsigma_mm = 0.001\n')
     for name in KINDS:
         robot, recording = folder / f"{name}.robot.toml", folder / f"{name}.recording.csv"
-        commands.identify(robot, recording, output=folder / f"{name}.result.json")
-    commands.diagnose(folder / "torque.robot.toml", folder / "torque.recording.csv", folder / "torque.diagnosis.json")
+        dc.identify(robot, recording, output=folder / f"{name}.result.json")
+    dc.diagnose(folder / "torque.robot.toml", folder / "torque.recording.csv", output=folder / "torque.diagnosis.json")
 
 
 def _forth_and_back() -> list[tuple[float, int]]:
@@ -266,8 +266,8 @@ def _open(folder: Path) -> None:
     )
     robot, recording = folder / "delta.robot.toml", folder / "open.recording.csv"
     truth = folder / "open.truth.toml"
-    commands.simulate(robot, folder / "open.poses.csv", recording, truth=truth, noise=0.005, seed=6)
-    found = commands.diagnose(robot, recording, folder / "open.diagnosis.json")
+    dc.simulate(robot, folder / "open.poses.csv", output=recording, truth=truth, noise=0.005, seed=6)
+    found = dc.diagnose(robot, recording, output=folder / "open.diagnosis.json")
     assert found.next_measurements, "nothing is open: `next` would not be tried"
 
 

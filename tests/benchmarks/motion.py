@@ -129,7 +129,9 @@ def diagnosing(rows: int) -> tuple[float, float]:
         (folder / "moved.csv").write_text("\n".join(lines) + "\n")
         (folder / "moved.toml").write_text('[measurement]\nkind = "torque"\n')
         (folder / "truth.toml").write_text(TRUTH)
-        dc.simulate(robot, folder / "moved.csv", folder / "recording.csv", truth=folder / "truth.toml", noise=0.1)
+        dc.simulate(
+            robot, folder / "moved.csv", output=folder / "recording.csv", truth=folder / "truth.toml", noise=0.1
+        )
         bare = [{k: v for k, v in link.items() if k not in ("mass", "com", "inertia")} for link in ARM]
         open_ = robot_from_dict({"robot": {"name": "arm", "mechanism": "serial"}, "joint": bare})
         (folder / "robot.toml").write_text(robot_to_toml(open_))

@@ -24,7 +24,7 @@ from pathlib import Path
 
 import numpy as np
 
-from deltacal_gen.app import commands
+import deltacal_gen as dc
 from deltacal_gen.errors import DeltacalError
 from deltacal_gen.files.robot import read_robot
 from tests.benchmarks import fuzz
@@ -102,7 +102,7 @@ def _of_another(good: Path, name: str, kept: Sequence[str], dice: np.random.Gene
             }
             try:
                 other = dataclasses.replace(robot, geometry=lengths)
-                commands.simulate(other, poses, out, noise=0.02, seed=int(dice.integers(1000)))
+                dc.simulate(other, poses, output=out, noise=0.02, seed=int(dice.integers(1000)))
             except DeltacalError:
                 continue
             return out.read_text()

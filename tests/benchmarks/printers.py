@@ -18,7 +18,7 @@ from typing import Any
 
 import numpy as np
 
-from deltacal_gen.app import commands
+import deltacal_gen as dc
 from deltacal_gen.errors import DeltacalError
 from tests.support.measured import write
 
@@ -33,8 +33,8 @@ def row(folder: Path) -> dict[str, Any]:
     """Return what a printer's recording comes to: rms [mm] as saved, by firmware's parameters, and by diagnosis."""
     robot, recording = folder / "robot.toml", folder / "recording.csv"
     with_distances = recording.with_suffix(".distances.csv").exists()
-    firmware = commands.identify(robot, recording, FIRMWARE[with_distances])
-    found = commands.diagnose(robot, recording)
+    firmware = dc.identify(robot, recording, model=FIRMWARE[with_distances])
+    found = dc.diagnose(robot, recording)
     return {
         "name": folder.name,
         "readings": firmware["readings"]["scalars"],
@@ -54,12 +54,12 @@ def row(folder: Path) -> dict[str, Any]:
 def carried(earlier: dict[str, Any], later: Path) -> dict[str, float]:
     """Return the rms [mm] of a later session: from the earlier one, with the same model fitted anew, by firmware."""
     robot, recording = later / "robot.toml", later / "recording.csv"
-    held = commands.identify(robot, recording, FIRMWARE[0], physics=earlier["diagnosis"])
-    own = commands.identify(robot, recording, earlier["model"])
+    held = dc.identify(robot, recording, model=FIRMWARE[0], physics=earlier["diagnosis"])
+    own = dc.identify(robot, recording, model=earlier["model"])
     return {
         "held": held["train_rms_mm"],
         "own": own["train_rms_mm"],
-        "firmware": commands.identify(robot, recording, FIRMWARE[0])["train_rms_mm"],
+        "firmware": dc.identify(robot, recording, model=FIRMWARE[0])["train_rms_mm"],
         "readings": held["readings"]["scalars"],
     }
 

@@ -10,8 +10,8 @@ import numpy as np
 from deltacal_kernels import rotations
 from numba import njit
 
+import deltacal_gen as dc
 from deltacal_gen import PoseSet
-from deltacal_gen.app import commands
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.estimation.arrays import LinearFit
 from deltacal_gen.estimation.fit import fit
@@ -124,7 +124,7 @@ def matrix(n: int) -> Work:
     r = rings(n)
     theta = np.ascontiguousarray(by_hand.ideal_inverse(r))
     recording = recorded(theta, [(POINT, r + POINT)])
-    whole = partial(commands.matrix, ROBOT, recording, "32", as_distance=True, scaling="paper")
+    whole = partial(dc.matrix, ROBOT, recording, model="32", as_distance=True, scaling="paper")
     chosen, at, H = [DELTA.index[name] for name in DELTA.model("32")], r + POINT, np.empty((n * (n - 1) // 2, 32))
     k, kept, wanted = DELTA.compiled.nominal_constants(DELTA.rows(ROBOT)), np.array(chosen), np.array(columns("32"))
     C, part, out, tool = np.empty((n, 3, 42)), np.empty((n, 3, len(chosen))), np.empty_like(H), POINT[None]

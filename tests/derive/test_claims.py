@@ -119,7 +119,6 @@ def shelf(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 def run(monkeypatch: pytest.MonkeyPatch, *arguments: str) -> None:
     monkeypatch.setattr(sys, "argv", ["deltacal", "claims", *arguments])
-    monkeypatch.setattr(cli.common.screen, "_file", None)
     with pytest.raises(SystemExit) as end:
         cli.main()
     assert not end.value.code

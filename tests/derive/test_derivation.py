@@ -19,7 +19,7 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 import deltacal_gen as dc
-from deltacal_gen.app import commands
+from deltacal_gen.app.commands.model_side import trial
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.registry import load_mechanism, mechanism_names, mechanism_of
@@ -506,7 +506,7 @@ def test_what_cannot_be_made_is_said(
     arguments: tuple[Any, ...], error: type[Exception], words: str, tmp_path: Path
 ) -> None:
     with pytest.raises(error, match=re.escape(words)):
-        dc.derivation(arguments[0], tmp_path / arguments[1])
+        dc.derivation(arguments[0], output=tmp_path / arguments[1])
     assert list(tmp_path.iterdir()) == []
 
 
@@ -515,7 +515,7 @@ def test_a_file_that_cannot_be_written_is_named(tmp_path: Path) -> None:
     picture = tmp_path / "report-machine.svg"
     picture.mkdir()
     with pytest.raises(InputError, match=r"report-machine\.svg: the file cannot be written") as error:
-        dc.derivation("planar_parallelogram/2", tmp_path / "report.md")
+        dc.derivation("planar_parallelogram/2", output=tmp_path / "report.md")
     assert error.value.file == str(picture)
     assert error.value.remedy.startswith("Check the folder")
 
@@ -524,12 +524,12 @@ def test_a_file_that_cannot_be_written_is_named(tmp_path: Path) -> None:
 def test_a_machine_that_is_tried_out_is_drawn_and_its_file_explained(tmp_path: Path) -> None:
     text = (ROOT / "src/deltacal_gen/examples/diamond/robot.toml").read_text(encoding="utf-8")
     (tmp_path / "robot.toml").write_text(text, encoding="utf-8")
-    said = commands.trial(tmp_path / "robot.toml", tmp_path / "machine.svg")
+    said = trial(tmp_path / "robot.toml", tmp_path / "machine.svg")
     assert said.startswith("diamond: 100 of 100 poses there and back")
     ElementTree.fromstring((tmp_path / "machine.svg").read_text(encoding="utf-8"))
     (tmp_path / "robot.toml").write_text(text.replace("proximal_length", "proximal_lenght"), encoding="utf-8")
     with pytest.raises(InputError, match="proximal_lenght") as error:
-        commands.trial(tmp_path / "robot.toml", tmp_path / "machine.svg")
+        trial(tmp_path / "robot.toml", tmp_path / "machine.svg")
     assert error.value.line is not None
     assert error.value.remedy
 

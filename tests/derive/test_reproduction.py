@@ -58,14 +58,14 @@ def test_table_1_of_traslosheros_shows_what_is_printed_beside_what_is_simulated(
 
 def test_bai_is_remade_on_one_page_twice_alike(tmp_path: Path) -> None:
     """Every table and figure of the ledger has its section with its verdicts; the same call gives the same bytes."""
-    answer = dc.reproduce("bai", tmp_path)
+    answer = dc.reproduce("bai", output=tmp_path)
     html = Path(answer.files[0]).read_text()
     assert set(answer.remade) >= {f"Table {k}" for k in range(1, 6)} | {"Fig. 6", "Fig. 7", "Fig. 8"}
     for claim in ledger.load_paper("bai").claims:
         if re.match(r"(Table|Fig\\.) ", claim.where):
             assert f'<h2 id="{claim.where.replace(" ", "-")}">' in html
             assert claim.test.split("::")[1].replace("_", "_<wbr>") in html or claim.test.split("::")[1] in html
-    dc.reproduce("bai", tmp_path / "again")
+    dc.reproduce("bai", output=tmp_path / "again")
     assert (tmp_path / "again" / "bai.html").read_bytes() == (tmp_path / "bai.html").read_bytes()
 
 
@@ -115,17 +115,17 @@ def test_savoure_has_a_curve_for_each_tool() -> None:
 @pytest.mark.thorough
 @pytest.mark.parametrize("paper", ["mei", "traslosheros"])
 def test_long_pages_are_remade(paper: str, tmp_path: Path) -> None:
-    answer = dc.reproduce(paper, tmp_path)
+    answer = dc.reproduce(paper, output=tmp_path)
     assert len(answer.remade) >= 6
     assert Path(answer.files[0]).read_text().count("<figure>") >= 3
 
 
 def test_what_cannot_be_is_refused(tmp_path: Path) -> None:
     with pytest.raises(UsageError, match="no paper 'plato'"):
-        dc.reproduce("plato", tmp_path)
+        dc.reproduce("plato", output=tmp_path)
     (tmp_path / "file").write_text("")
     with pytest.raises(InputError, match="needs a folder"):
-        dc.reproduce("bai", tmp_path / "file")
+        dc.reproduce("bai", output=tmp_path / "file")
     with pytest.raises(ValueError, match="2 cells for 1 columns"):
         Sheet("Table 1", "", ("one",)).add(1, 2)
 

@@ -188,7 +188,7 @@ def test_commands_undo_the_correction_too(robot: Robot, humid: dict[str, Any]) -
 @pytest.mark.parametrize("export", ["c", "table"])
 def test_an_export_says_what_it_leaves_out(humid: dict[str, Any], tmp_path: Path, export: str) -> None:
     for known, said in ((humid, True), (without(humid), False)):
-        dc.compensate(known, output=tmp_path / "file", export=export)
+        dc.export_compensator(known, output=tmp_path / "file", export=export)
         heads = [(tmp_path / "file").read_text(encoding="utf-8")[:4000]]
         compensator = dc.Compensator(known_result(known))
         if export == "c":

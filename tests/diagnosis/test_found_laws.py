@@ -99,7 +99,7 @@ def test_rows_outside_its_range_are_counted_and_commands_undo_it(found: Diagnosi
     joints = compensator.joints(targets, None, at)
     np.testing.assert_allclose(compensator.pose(joints, None, at)[0][:, :3], targets, atol=1e-6)
     text = tmp_path / "command.c"
-    dc.compensate(found, output=text, export="c")
+    dc.export_compensator(found, output=text, export="c")
     assert "limb.rod = c1*tanh(tension_1/c2) at limb 2" in text.read_text(encoding="utf-8")
 
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.signal import lfilter
 
-from deltacal_gen.app.cli.common import show
+from deltacal_gen.app.cli.terminal import Terminal
 from deltacal_gen.diagnosis import hints, strategy
 from deltacal_gen.diagnosis.answer import Diagnosed
 from deltacal_gen.diagnosis.charges import MARGIN
@@ -201,7 +201,7 @@ def test_brackets_of_a_robot_file_s_tables_are_printed(weak: Diagnosed, capsys: 
     """They were read as markup: `limits_deg or limits_mm under  in the robot file`."""
     none = tuple(n.replace(poses=(), text=NONE_SO_FAR) for n in weak.next_measurements)
     told = dataclasses.replace(weak, next_measurements=none).answer()
-    show(told)
+    Terminal().show(told)
     assert "under [joints] in the robot file" in " ".join(capsys.readouterr().out.split())
 
 

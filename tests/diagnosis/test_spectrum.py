@@ -10,7 +10,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from deltacal_gen.app import cli, commands
+import deltacal_gen as dc
+from deltacal_gen.app import cli
 from deltacal_gen.diagnosis.search import Search
 from deltacal_gen.diagnosis.spectrum import MOST_OUT, STANDS_OUT, Spectrum, never_seen, periodic, seen, unseen
 from deltacal_gen.estimation.fit import fit
@@ -70,8 +71,8 @@ def taken(
     np.savetxt(folder / f"{name}.csv", q, delimiter=",", header=header, comments="")
     (folder / f"{name}.toml").write_text('[measurement]\nkind = "pose"\nframe = "unknown"\nsigma_deg = 0.0005\n')
     out = folder / f"{name}_read.csv"
-    commands.simulate(
-        folder / "robot.toml", folder / f"{name}.csv", out, truth=folder / "truth.toml", noise=noise, seed=seed
+    dc.simulate(
+        folder / "robot.toml", folder / f"{name}.csv", output=out, truth=folder / "truth.toml", noise=noise, seed=seed
     )
     return out
 
@@ -108,7 +109,7 @@ def half_seen(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Diagnosis
     """Diagnose joints that never were at angles below zero."""
     folder = tmp_path_factory.mktemp("carried")
     path = taken(folder, "before", NOISE, concealed=True, seed=1, least=0.0)
-    return folder, commands.diagnose(folder / "robot.toml", path, folder / "known.json")
+    return folder, dc.diagnose(folder / "robot.toml", path, output=folder / "known.json")
 
 
 @pytest.mark.walk
@@ -278,7 +279,7 @@ def test_another_session_tells_further_of_errors_where_the_diagnosis_never_was(
     folder, known = half_seen
     read = read_recording(taken(folder, "since", NOISE, concealed=True, seed=12), mechanism_of(robot()))
     since, far = (read.subset(np.arange(k, read.n_rows, 2)) for k in (0, 1))
-    carried = commands.identify(robot(), since, physics=known)
+    carried = dc.identify(robot(), since, physics=known)
     told = carried.continued
     assert told is not None
     assert told.limbs == JOINTS
@@ -288,13 +289,13 @@ def test_another_session_tells_further_of_errors_where_the_diagnosis_never_was(
     assert "at joints 2 and 3" in told.words(kept_robot(robot()).places)
 
     def off(result: Result) -> Array:
-        return (commands.predict(result, far, bands=True).measured - far.measured)[:, :3]
+        return (dc.predict(result, far, bands=True).measured - far.measured)[:, :3]
 
     held = identify(robot(), since, held=known_effects(known)).answer()
     size = {name: np.sqrt(np.mean(off(each) ** 2)) for name, each in (("further", carried), ("held", held))}
-    size["alone"] = np.sqrt(np.mean(off(commands.identify(robot(), since)) ** 2))
+    size["alone"] = np.sqrt(np.mean(off(dc.identify(robot(), since)) ** 2))
     assert size["further"] < 0.6 * min(size["held"], size["alone"])
-    bands = commands.predict(carried, far, bands=True).channels
+    bands = dc.predict(carried, far, bands=True).channels
     half = np.column_stack([(bands[f"{axis}_hi_mm"] - bands[f"{axis}_lo_mm"]) / 2 for axis in "xyz"])
     assert 0.9 < np.mean(np.abs(off(carried)) < np.hypot(half, 1.96 * NOISE)) <= 1.0
 
@@ -314,7 +315,7 @@ def test_errors_that_are_held_stand_in_the_readings_again(at: Fit, found: Spectr
 def test_errors_that_were_mended_since_are_dropped(half_seen: tuple[Path, Diagnosis]) -> None:
     folder, known = half_seen
     since = read_recording(taken(folder, "mended", NOISE, concealed=False, seed=13), mechanism_of(robot()))
-    carried, alone = commands.identify(robot(), since, physics=known), commands.identify(robot(), since)
+    carried, alone = dc.identify(robot(), since, physics=known), dc.identify(robot(), since)
     assert carried.continued is None
     assert not carried.physics
     assert {told.name for told in carried.physics_not_held or ()} == {wave()}

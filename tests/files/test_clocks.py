@@ -52,7 +52,7 @@ def recorded(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def identified(recorded: Path) -> Any:
-    return dc.identify(recorded.with_name("robot.toml"), recorded, "delta/18")
+    return dc.identify(recorded.with_name("robot.toml"), recorded, model="delta/18")
 
 
 def clocks(found: Any) -> dict[tuple[str, str | None], Any]:
@@ -88,7 +88,7 @@ def test_the_fit_is_as_good_as_one_that_knows_the_clocks(recorded: Path, identif
     assert "clock_offset_s" in str(refused.value)
     offset = clocks(identified)["clock_offset", "a"]["value"]
     (tmp_path / "new.toml").write_text(said + f"clock_offset_s = {offset!r}\n")
-    dc.predict(identified, tmp_path / "new.csv", tmp_path / "predicted.csv")
+    dc.predict(identified, tmp_path / "new.csv", output=tmp_path / "predicted.csv")
     cells = [line.split(",") for line in (tmp_path / "predicted.csv").read_text().splitlines()]
     assert cells[0] == ["time_s", *Q, *X]
     assert len(cells) == len(when) + 1
@@ -129,7 +129,7 @@ def test_what_clocks_have_in_common_is_one_number(
     tmp_path: Path, clock: str, offsets: dict[str, float], rate: float
 ) -> None:
     path = written(tmp_path, clock=clock, offsets=offsets, rate=rate, seconds=6.0)
-    found = clocks(dc.identify(tmp_path / "robot.toml", path, "delta/18"))
+    found = clocks(dc.identify(tmp_path / "robot.toml", path, model="delta/18"))
     if clock == "own, same rate":
         assert {run: p["value"] for (_, run), p in found.items()} == pytest.approx(offsets, abs=0.5e-3)
     else:
@@ -145,7 +145,7 @@ def test_what_clocks_have_in_common_is_one_number(
 def test_a_movement_that_tells_no_clock_is_refused(tmp_path: Path, motion: Callable[[int], Motion], words: str) -> None:
     path = written(tmp_path, motion, offsets={"a": 0.3}, rate=0.0)
     with pytest.raises(InputError, match=f"cannot be aligned in time: .*({words})"):
-        dc.identify(tmp_path / "robot.toml", path, "delta/18")
+        dc.identify(tmp_path / "robot.toml", path, model="delta/18")
 
 
 def test_readings_of_another_movement_are_refused(tmp_path: Path) -> None:
@@ -154,7 +154,7 @@ def test_readings_of_another_movement_are_refused(tmp_path: Path) -> None:
     other = written(tmp_path / "other", offsets={"a": 0.3}, seed=70)
     path.with_name("recording.instrument.csv").write_text(other.with_name("recording.instrument.csv").read_text())
     with pytest.raises(InputError, match="cannot be aligned in time"):
-        dc.identify(tmp_path / "robot.toml", path, "delta/18")
+        dc.identify(tmp_path / "robot.toml", path, model="delta/18")
 
 
 def test_what_is_missing_beside_two_clocks_is_said(tmp_path: Path) -> None:
@@ -173,9 +173,9 @@ def test_a_simulation_has_the_clock_of_its_truth(tmp_path: Path) -> None:
     path = written(tmp_path, offsets={"a": 0.0}, rate=0.0, seconds=5.0, sidecar='frame = "robot"\n')
     (tmp_path / "truth.toml").write_text("[parameters]\ntheta_1 = 0.05\nclock_offset = 0.037\nclock_rate = 2e-4\n")
     made = tmp_path / "made.csv"
-    dc.simulate(tmp_path / "robot.toml", path, made, truth=tmp_path / "truth.toml", noise=NOISE)
+    dc.simulate(tmp_path / "robot.toml", path, output=made, truth=tmp_path / "truth.toml", noise=NOISE)
     assert made.read_text() == path.read_text()
-    found = dc.identify(tmp_path / "robot.toml", made, "delta/3")
+    found = dc.identify(tmp_path / "robot.toml", made, model="delta/3")
     assert clocks(found)["clock_offset", "a"]["value"] == pytest.approx(0.037, abs=0.3e-3)
     assert clocks(found)["clock_rate", None]["value"] == pytest.approx(2e-4, abs=1e-4)
 
@@ -194,13 +194,13 @@ def test_every_kind_of_reading_tells_its_clock(tmp_path: Path, kind: str, said: 
     path.with_suffix(".toml").write_text(f'[measurement]\nkind = "{kind}"\nclock = "own"\n{said}\n')
     (tmp_path / "truth.toml").write_text("[parameters]\nclock_offset = 0.037\nclock_rate = 2e-4\n")
     made = tmp_path / "made.csv"
-    dc.simulate(tmp_path / "robot.toml", path, made, truth=tmp_path / "truth.toml", noise=NOISE)
+    dc.simulate(tmp_path / "robot.toml", path, output=made, truth=tmp_path / "truth.toml", noise=NOISE)
     if kind == "pose":  # the platform of this machine does not turn: its turns are noise, and tell no time
         beside, rng = tmp_path / "made.instrument.csv", np.random.default_rng(1)
         head, *rows = (line.split(",") for line in beside.read_text().splitlines())
         turns = 0.003 * rng.standard_normal((len(rows), 3))
         table(beside, head, [*zip(*(row[:-3] for row in rows), strict=True), *turns.T])
-    found = clocks(dc.identify(tmp_path / "robot.toml", made, None if kind == "encoder" else "delta/3"))
+    found = clocks(dc.identify(tmp_path / "robot.toml", made, model=None if kind == "encoder" else "delta/3"))
     for (name, _), truth in zip(found, (0.037, 2e-4), strict=True):
         (p,) = (p for key, p in found.items() if key[0] == name)
         assert abs(p["value"] - truth) < 4 * p["std"], (name, p)
@@ -267,7 +267,9 @@ def test_a_joint_that_twists_with_acceleration_needs_none_in_the_file(tmp_path: 
     truth = '[[effects]]\nname = "inertial_deflection"\nlimbs = [1, 2, 3]\ncompliance = 0.05\n'
     (tmp_path / "truth.toml").write_text(truth)
     made = tmp_path / "made.csv"
-    dc.simulate(tmp_path / "robot.toml", tmp_path / "exact.csv", made, truth=tmp_path / "truth.toml", noise=NOISE)
+    dc.simulate(
+        tmp_path / "robot.toml", tmp_path / "exact.csv", output=made, truth=tmp_path / "truth.toml", noise=NOISE
+    )
     cells = [line.split(",") for line in made.read_text().splitlines()]
     kept = [k for k, name in enumerate(cells[0]) if name not in rates]
     made.write_text("\n".join(",".join(row[k] for k in kept) for row in cells) + "\n")

@@ -181,7 +181,7 @@ def test_a_simulation_has_the_clock_of_its_truth(tmp_path: Path) -> None:
     (tmp_path / "robot.toml").write_text(robot_to_toml(robot(BODIED)))
     (tmp_path / "truth.toml").write_text("[parameters]\nclock_offset = 0.037\nclock_rate = 2e-4\n")
     made = tmp_path / "made.csv"
-    dc.simulate(tmp_path / "robot.toml", path, made, truth=tmp_path / "truth.toml", noise=NOISE)
+    dc.simulate(tmp_path / "robot.toml", path, output=made, truth=tmp_path / "truth.toml", noise=NOISE)
     assert made.read_text() == path.read_text()
     found = clocks(dc.identify(tmp_path / "robot.toml", made))
     for (name, _), truth in zip(found, (0.037, 2e-4), strict=True):
@@ -194,7 +194,7 @@ def test_a_simulation_has_the_clock_of_its_truth(tmp_path: Path) -> None:
 
 def test_what_needs_one_clock_says_so(recorded: Path) -> None:
     with pytest.raises(InputError, match="here one clock is needed"):
-        dc.study(recorded.with_name("robot.toml"), recorded, noise=NOISE)
+        dc.study(recorded.with_name("robot.toml"), plan=recorded, noise=NOISE)
 
 
 def test_recorded_derivatives_are_read_on_the_clock_of_the_joints(tmp_path: Path) -> None:

@@ -51,7 +51,7 @@ def given(robot: Robot, mechanism: Machine, tmp_path_factory: pytest.TempPathFac
     for name, n in (("small", 60), ("large", PAYS_FROM["identify"])):
         targets = folder / f"{name}_targets.csv"
         np.savetxt(targets, scattered(robot, n, 5), "%.9g", ",", header="x_mm,y_mm,z_mm", comments="")
-        dc.simulate(robot, targets, folder / f"{name}.csv", truth=ERRORS, noise=0.01, seed=3)
+        dc.simulate(robot, targets, output=folder / f"{name}.csv", truth=ERRORS, noise=0.01, seed=3)
     return folder
 
 
@@ -151,7 +151,7 @@ def test_a_work_takes_one_thread_of_linear_algebra(robot: Robot, tmp_path: Path)
         return threads()
 
     np.savetxt(tmp_path / "targets.csv", scattered(robot, 5, 5), "%.9g", ",", header="x_mm,y_mm,z_mm", comments="")
-    dc.simulate(robot, tmp_path / "targets.csv", tmp_path / "recording.csv", seed=3)
+    dc.simulate(robot, tmp_path / "targets.csv", output=tmp_path / "recording.csv", seed=3)
     with threadpool_limits(2, "blas"):
         assert worked(robot, dc.read_recording(tmp_path / "recording.csv", dc.load_mechanism("delta"))) == {1}
         assert threads() == {2}

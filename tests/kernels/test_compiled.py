@@ -18,7 +18,7 @@ import numpy as np
 import pytest
 from deltacal_kernels import cache
 
-from deltacal_gen.app import commands
+from deltacal_gen.machine import backend, registry
 from deltacal_gen.machine.backend import compile_row_functions
 from tests.support.commands import Run
 
@@ -126,12 +126,12 @@ def test_options_of_a_function_are_part_of_its_name(elsewhere: Path) -> None:
 
 
 def test_kernels_are_compiled_ahead(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(commands.model_side, "mechanism_names", lambda: (KERNEL, "serial"))
-    monkeypatch.setattr(commands.model_side, "compile_row_functions", lambda: islice(compile_row_functions(), 2))
+    monkeypatch.setattr(registry, "mechanism_names", lambda: (KERNEL, "serial"))
+    monkeypatch.setattr(backend, "compile_row_functions", lambda: islice(compile_row_functions(), 2))
     code, out, _ = run("kernels", "--warm")
     assert code == 0
     told = [line.split() for line in out.splitlines()]
-    assert Path(cache_from_source(str(commands.__file__))).exists()
+    assert Path(cache_from_source(str(backend.__file__))).exists()
     assert {f"{KERNEL}.{name}" for name in ("forward", "inverse", "sensitivity")} <= {name for *_, name in told}
     assert sum(".compiled." in name for *_, name in told) == 2
     assert all(unit == "s" and float(seconds) >= 0 for seconds, unit, _ in told)

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from deltacal_gen.app import commands
+import deltacal_gen as dc
 from deltacal_gen.diagnosis.candidates import candidates
 from deltacal_gen.diagnosis.library import library
 from deltacal_gen.errors import InputError
@@ -63,7 +63,7 @@ def touched(folder: Path, sockets: dict[str, tuple[float, float, float]], sigma:
 
 def test_a_ball_in_sockets_calibrates_an_arm(tmp_path: Path) -> None:
     path = touched(tmp_path, SOCKETS, sigma=2e-6, seed=1)
-    result = commands.identify(tmp_path / "robot.toml", path, output=tmp_path / "result.json")
+    result = dc.identify(tmp_path / "robot.toml", path, output=tmp_path / "result.json")
     assert result["model"] == "serial/dh"
     assert result["train_rms_mm"] < 0.01
     at = {c["name"]: np.array(c["position_mm"]) for c in result["contacts"]}
@@ -78,7 +78,7 @@ def test_a_ball_in_sockets_calibrates_an_arm(tmp_path: Path) -> None:
     across = np.linalg.norm(at["front0"] - at["left0"])
     assert across == pytest.approx(np.linalg.norm(np.subtract(SOCKETS["front0"], SOCKETS["left0"])), abs=0.05)
     elsewhere = touched(tmp_path, {"new0": (200.0, 400.0, 300.0), "new1": (200.0, 450.0, 300.0)}, sigma=2e-6, seed=2)
-    assert commands.validate(tmp_path / "result.json", elsewhere)["rms_mm"] < 0.02
+    assert dc.validate(tmp_path / "result.json", elsewhere)["rms_mm"] < 0.02
 
 
 MISTAKES = {
@@ -102,7 +102,7 @@ def test_a_mistake_in_joints_that_touched_is_named(tmp_path: Path, words: str) -
         said = path.with_suffix(".toml")
         said.write_text(said.read_text().replace("50.0", "0.05"))
     with pytest.raises(InputError, match=f"agree with it if .*{words}"):
-        commands.identify(tmp_path / "robot.toml", path, output=tmp_path / "result.json")
+        dc.identify(tmp_path / "robot.toml", path, output=tmp_path / "result.json")
 
 
 def test_what_to_touch_next_are_the_points_that_were_touched(tmp_path: Path) -> None:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from deltacal_gen.app.cli.common import screen, show
+from deltacal_gen.app.cli.terminal import Terminal
 from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.recording import read_recording
@@ -89,12 +89,11 @@ def test_nothing_is_named_where_nothing_is_missing(robot: Robot) -> None:
 def test_the_screen_has_the_unit_of_the_readings(
     robot: Robot, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr(screen, "_file", None)
     found = identify(robot, read(robot)).answer()
-    show(found)
+    Terminal().show(found)
     assert "robot file has it" not in capsys.readouterr().out  # as above
     assert found.heldout_rms_mm is not None
-    show(found.replace(rank=1, degrees_of_freedom=1.0, before_rms_mm=found.heldout_rms_mm / 2))
+    Terminal().show(found.replace(rank=1, degrees_of_freedom=1.0, before_rms_mm=found.heldout_rms_mm / 2))
     shown = " ".join(capsys.readouterr().out.split())
     half = found.heldout_rms_mm / 2 / (100 * DEG)
     assert f"leaves no more, {decimals(half)} deg, than" in shown

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from deltacal_gen.app import commands
+import deltacal_gen as dc
 from deltacal_gen.errors import InputError
 from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import robot_to_toml
@@ -29,7 +29,7 @@ def read(tmp_path_factory: pytest.TempPathFactory) -> Path:
     header = ",".join(f"q{i}_deg" for i in range(1, 7))
     np.savetxt(folder / "poses.csv", q, delimiter=",", header=header, comments="")
     (folder / "poses.toml").write_text(POSE + 'frame = "unknown"\n')
-    commands.simulate(folder / "robot.toml", folder / "poses.csv", folder / "vector.csv", noise=0.01, seed=2)
+    dc.simulate(folder / "robot.toml", folder / "poses.csv", output=folder / "vector.csv", noise=0.01, seed=2)
     rows = (folder / "vector.csv").read_text().splitlines()
     columns = rows[0].split(",")
     at = [columns.index(f"r{axis}_deg") for axis in "xyz"]
@@ -58,12 +58,11 @@ def test_the_order_of_turns_is_that_of_roll_pitch_and_yaw() -> None:
 def test_angles_that_are_turns_are_told_and_read(read: Path, tmp_path: Path) -> None:
     """A recording of them is refused, and told what they are; said so, the result is that of rotation vectors."""
     with pytest.raises(InputError, match=r'no rotation vectors: from pose to pose.* rotation = "xyz"'):
-        commands.identify(read / "robot.toml", read / "turns.csv")
+        dc.identify(read / "robot.toml", read / "turns.csv")
     (tmp_path / "turns.csv").write_text((read / "turns.csv").read_text())
     (tmp_path / "turns.toml").write_text(POSE + 'rotation = "xyz"\n')
     both = [
-        commands.identify(read / "robot.toml", path)["parameters"]
-        for path in (tmp_path / "turns.csv", read / "vector.csv")
+        dc.identify(read / "robot.toml", path)["parameters"] for path in (tmp_path / "turns.csv", read / "vector.csv")
     ]
     values = [[p["value"] for p in parameters] for parameters in both]
     assert values[0] == pytest.approx(values[1], abs=1e-3)
@@ -71,10 +70,10 @@ def test_angles_that_are_turns_are_told_and_read(read: Path, tmp_path: Path) -> 
 
 def test_rotations_that_tell_nothing_are_told(read: Path) -> None:
     """Positions alone then know the machine: no answer passes over that rotations were read, and not used."""
-    found = commands.identify(read / "robot.toml", read / "nonsense.csv")
+    found = dc.identify(read / "robot.toml", read / "nonsense.csv")
     assert "told next to nothing" in json.dumps(found["doubts"])
-    assert "told next to nothing" in commands.diagnose(read / "robot.toml", read / "nonsense.csv")["summary"]
-    assert not commands.identify(read / "robot.toml", read / "vector.csv").get("doubts")
+    assert "told next to nothing" in dc.diagnose(read / "robot.toml", read / "nonsense.csv")["summary"]
+    assert not dc.identify(read / "robot.toml", read / "vector.csv").get("doubts")
 
 
 def test_rotations_in_another_frame_than_positions_are_told_by_how_they_stand(read: Path, tmp_path: Path) -> None:
@@ -87,7 +86,7 @@ def test_rotations_in_another_frame_than_positions_are_told_by_how_they_stand(re
         own[at[0]], own[at[1]] = y, repr(-float(x))
     (tmp_path / "other.csv").write_text("\n".join([rows[0], *map(",".join, cells)]) + "\n")
     (tmp_path / "other.toml").write_text((read / "vector.toml").read_text())
-    [doubt] = commands.identify(read / "robot.toml", tmp_path / "other.csv")["doubts"]
+    [doubt] = dc.identify(read / "robot.toml", tmp_path / "other.csv")["doubts"]
     assert "from pose to pose they turn as it does" in doubt
     assert "turned by 90 deg about (0.00, 0.00, 1.00)" in doubt
 
@@ -110,12 +109,12 @@ def test_an_order_of_turns_wants_three(read: Path, tmp_path: Path) -> None:
     )
     (tmp_path / "r.toml").write_text('[measurement]\nrotation = "zyx"\n')
     with pytest.raises(InputError, match="which are not all measured"):
-        commands.identify(read / "robot.toml", tmp_path / "r.csv")
+        dc.identify(read / "robot.toml", tmp_path / "r.csv")
 
 
 def test_a_machine_of_one_model_has_no_rough_stage_to_show(read: Path) -> None:
     """A chain is fitted whole from the start: what is not an encoder offset is not called so."""
-    assert commands.identify(read / "robot.toml", read / "vector.csv")["accuracy"].get("rough") is None
+    assert dc.identify(read / "robot.toml", read / "vector.csv")["accuracy"].get("rough") is None
 
 
 @pytest.mark.parametrize(
@@ -141,4 +140,4 @@ def test_rotations_tell_what_positions_do_not(
     (tmp_path / "read.csv").write_text("\n".join(map(",".join, rows)) + "\n")
     (tmp_path / "read.toml").write_text((read / "vector.toml").read_text())
     with pytest.raises(InputError, match=told):
-        commands.identify(read / "robot.toml", tmp_path / "read.csv")
+        dc.identify(read / "robot.toml", tmp_path / "read.csv")

@@ -11,7 +11,7 @@ import pytest
 from scipy.optimize import root
 from scipy.spatial.transform import Rotation
 
-from deltacal_gen.app import commands
+import deltacal_gen as dc
 from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.files.robot import Robot, robot_from_dict
 from deltacal_gen.identification.identification import identify
@@ -189,7 +189,7 @@ def test_a_session_of_seven_heights_names_no_physics_and_says_why(printer: Robot
     points = np.vstack([[0, 0, 0], np.column_stack([90 * np.cos(angles), 90 * np.sin(angles), 0 * angles])])
     term = blank("transmission_eccentricity", (2,), (1.0,)).with_values(np.array([0.1, 0.1]))
     done = simulate(printer, recording(printer, points), {}, noise_mm=0.01, rng=rng, terms=[term])
-    found = commands.diagnose(printer, done)
+    found = dc.diagnose(printer, done)
     assert (found["verdict"], found["effects"], found["baseline"]["model"]) == ("adequate", [], "linear_delta/6")
     assert "7 readings carry the 6 parameters of linear_delta/6 and leave 1 to judge by" in found["summary"]
     assert all("at least 25 readings" in t["missing"] for t in found["not_tested"])
@@ -205,7 +205,7 @@ def test_a_wrong_radius_is_told_by_few_heights(radius: float, printer: Robot, rn
     [doubt] = answer.doubts or ()
     assert "radius" in doubt
     assert answer.train_rms_mm < 0.05
-    summary = commands.diagnose(wrong, done)["summary"]
+    summary = dc.diagnose(wrong, done)["summary"]
     assert "farther from the robot file" in summary
     assert "leaves no more" not in summary
 
@@ -302,7 +302,7 @@ def test_a_periodic_error_of_a_belt_is_found_with_its_pulley(
     term = blank("transmission_eccentricity", (2,), (1.0,)).with_values(np.array([0.03, 0.04]))
     truth = plausible(rng, LINEAR.model("linear_delta/9"))
     done = simulate(printer, recording(printer, targets, "position"), truth, noise_mm=0.01, rng=rng, terms=[term])
-    found = commands.diagnose(printer, done)
+    found = dc.diagnose(printer, done)
     assert found["verdict"] == "missing_physics"
     assert [e["name"] for e in found["effects"]] == ["transmission_eccentricity"]
     effect = found["effects"][0]
@@ -321,7 +321,7 @@ def test_a_lag_of_carriages_shows_along_a_column_that_was_recorded(printer: Robo
     poses = dataclasses.replace(poses, channels=motion)
     lag = blank("latency", ()).with_values(np.array([0.004]))
     done = simulate(printer, poses, noise_mm=0.01, rng=rng, terms=[lag])
-    found = commands.diagnose(printer, done)
+    found = dc.diagnose(printer, done)
     assert [e["name"] for e in found["effects"]] == ["latency"]
     assert {c["name"] for c in found["location"]["channels"]} == set(motion)
     assert figures.main_channel(found) == "qd1_mm_s"  # which it is drawn against

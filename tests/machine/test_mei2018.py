@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from deltacal_gen.app import commands
+import deltacal_gen as dc
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.estimation.fit import fit
 from deltacal_gen.estimation.problem import pose_problem
@@ -156,13 +156,13 @@ def test_readings_are_the_oracles(robot: Robot, poses: Recording) -> None:
 
 def test_the_condition_number_of_the_paper(tmp_path: Path) -> None:
     """kappa_1 = 475.34, from files alone: the six positions, adjacent differences, columns of eq. (28)."""
-    commands.simulate(EXAMPLE / "robot.toml", EXAMPLE / "poses.csv", tmp_path / "recording.csv")
+    dc.simulate(EXAMPLE / "robot.toml", EXAMPLE / "poses.csv", output=tmp_path / "recording.csv")
     recording = tmp_path / "recording.csv"
-    four = commands.matrix(EXAMPLE / "robot.toml", recording, "diamond/4", scaling="paper")
+    four = dc.matrix(EXAMPLE / "robot.toml", recording, model="diamond/4", scaling="paper")
     assert four["H"].shape == (5, 4)
     assert round(float(np.linalg.cond(four["H"])), 2) == 475.34
     np.testing.assert_allclose(four["H"], mei.identification_matrix(SIX), rtol=0, atol=1e-12)
-    twelve = commands.matrix(EXAMPLE / "robot.toml", recording, "diamond/12", scaling="paper")
+    twelve = dc.matrix(EXAMPLE / "robot.toml", recording, model="diamond/12", scaling="paper")
     np.testing.assert_allclose(twelve["H"], mei.identification_matrix(SIX, complete=True), rtol=0, atol=1e-12)
 
 
@@ -205,8 +205,8 @@ def test_the_choice_of_positions(tmp_path: Path) -> None:
     """Rule (31): kappa_1 and kappa_m of n = 3 differ by less than 1 %; the six positions are the example's."""
     text = (EXAMPLE / "robot.toml").read_text() + "\n[errors]\nmx = 1.0\nmy = 0.5\n"
     (tmp_path / "robot.toml").write_text(text)
-    found = commands.plan(
-        tmp_path / "robot.toml", "diamond/4", tmp_path / "poses.csv", gauge=EXAMPLE / "poses.toml", n_max=5
+    found = dc.plan(
+        tmp_path / "robot.toml", model="diamond/4", output=tmp_path / "poses.csv", gauge=EXAMPLE / "poses.toml", n_max=5
     )
     assert (found["chosen"], len(found["poses"])) == (3, 6)
     assert found["condition"] == pytest.approx([475.342, 457.808, 484.775], abs=1e-3)
@@ -224,7 +224,7 @@ def test_a_plan_says_what_it_needs(robot: Robot) -> None:
     with pytest.raises(UsageError, match="needs to know where its ends are mounted"):
         planning.plan(robot, "4", kind="gauge")
     with pytest.raises(UsageError, match="not for a gauge"):
-        commands.plan(robot, "4", optimal=6, gauge=EXAMPLE / "poses.toml")
+        dc.plan(robot, model="4", optimal=6, gauge=EXAMPLE / "poses.toml")
 
 
 # ------------------------------------------------------------------------------------------------------ identification
@@ -355,7 +355,7 @@ def test_the_procedure_of_the_benchmark_is_the_oracles() -> None:
 def test_the_example_recording_gives_its_truth_within_its_deviations(robot: Robot) -> None:
     """Ten rounds as files: the truth lies within the deviations, which say that geometry stays with its tolerance."""
     truth = read_truth(EXAMPLE / "truth.toml", robot).errors
-    found = commands.identify(EXAMPLE / "robot.toml", EXAMPLE / "recording.csv")
+    found = dc.identify(EXAMPLE / "robot.toml", EXAMPLE / "recording.csv")
     assert (found["model"], found["rank"]) == ("diamond/12", 9)
     for p in found["parameters"]:
         true = truth[p["name"]] / (DEG if p["unit"] == "deg" else 1.0)

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from deltacal_gen.app import commands
+import deltacal_gen as dc
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.robot import Robot, read_robot, robot_to_dict, robot_to_toml
 from deltacal_gen.machine.backend import Backend, using
@@ -258,10 +258,10 @@ def test_a_chain_is_simulated_and_identified(tmp_path: Path) -> None:
         np.savetxt(tmp_path / f"{name}.csv", part, delimiter=",", header=header, comments="")
         (tmp_path / f"{name}.toml").write_text('[measurement]\nkind = "pose"\nframe = "unknown"\n')
         how = {"truth": tmp_path / "truth.toml", "seed": 1, "noise": 0.01 if name == "poses" else 0.0}
-        commands.simulate(tmp_path / "robot.toml", tmp_path / f"{name}.csv", tmp_path / f"{name}_read.csv", **how)
-    found = commands.identify(tmp_path / "robot.toml", tmp_path / "poses_read.csv", output=tmp_path / "result.json")
+        dc.simulate(tmp_path / "robot.toml", tmp_path / f"{name}.csv", output=tmp_path / f"{name}_read.csv", **how)
+    found = dc.identify(tmp_path / "robot.toml", tmp_path / "poses_read.csv", output=tmp_path / "result.json")
     assert found["train_rms_mm"] == pytest.approx(0.01, rel=0.15)
-    check = commands.validate(tmp_path / "result.json", tmp_path / "fresh_read.csv")
+    check = dc.validate(tmp_path / "result.json", tmp_path / "fresh_read.csv")
     assert check["rms_mm"] < 0.01
 
 

@@ -79,7 +79,7 @@ def simulated(robot: Any, folder: Path, sidecar: str, noise: float = 0.0, n: int
     poses.write_text("\n".join(lines[: None if n is None else n + 1]) + "\n")
     poses.with_suffix(".toml").write_text(sidecar)
     truth = {name: float(value) for name, value in table_1().items()}
-    dc.simulate(robot, poses, folder / "recording.csv", truth=truth, noise=noise, seed=3)
+    dc.simulate(robot, poses, output=folder / "recording.csv", truth=truth, noise=noise, seed=3)
     return folder / "recording.csv"
 
 
@@ -112,7 +112,7 @@ def test_table_1_is_recovered_from_increments(robot: Any, tmp_path: Path) -> Non
 def test_what_phi_and_H_add(robot: Any, tmp_path: Path) -> None:
     """phi_i can be found, H_i only as h_i - H_i; in a frame of unknown rotation a turn of all limbs is no error."""
     recording = simulated(robot, tmp_path, INCREMENTS, noise=0.005)
-    ranks = {n: dc.identify(robot, recording, f"robotennis/{n}") for n in (18, 21)}
+    ranks = {n: dc.identify(robot, recording, model=f"robotennis/{n}") for n in (18, 21)}
     assert [r["rank"] for r in ranks.values()] == [18, 18]
     assert ranks[18]["unidentifiable"] == []
     hidden = [set(c["terms"]) for c in ranks[21]["unidentifiable"]]
@@ -121,7 +121,7 @@ def test_what_phi_and_H_add(robot: Any, tmp_path: Path) -> None:
     assert worst < 0.01  # deg
     (tmp_path / "turned").mkdir()
     turned = simulated(robot, tmp_path / "turned", INCREMENTS.replace("robot", "unknown"), noise=0.005)
-    (lost,) = dc.identify(robot, turned, "robotennis/18")["unidentifiable"]
+    (lost,) = dc.identify(robot, turned, model="robotennis/18")["unidentifiable"]
     assert {"phi_1", "phi_2", "phi_3"} <= set(lost["terms"])
 
 
@@ -150,7 +150,7 @@ def test_a_start_from_which_newton_goes_astray_is_refused(robot: Any, tmp_path: 
 def test_fewer_poses_than_unknowns_are_refused(robot: Any, tmp_path: Path) -> None:
     recording = simulated(robot, tmp_path, INCREMENTS, n=4)
     with pytest.raises(InputError, match=r"robotennis/15 has 15 parameters") as caught:
-        dc.identify(robot, recording, "robotennis/15")
+        dc.identify(robot, recording, model="robotennis/15")
     assert caught.value.exit_code == 3
     assert caught.value.remedy
 

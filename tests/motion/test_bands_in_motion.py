@@ -12,7 +12,6 @@ import numpy as np
 import pytest
 
 import deltacal_gen as dc
-from deltacal_gen.app import commands
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.motion import trajectories
 from deltacal_gen.motion.bands import named
@@ -41,7 +40,7 @@ def predicted(found: Any, path: Path) -> tuple[trajectories.Trajectories, np.nda
     """Return what a model predicts of a recording, with bands, and what was read there."""
     moving = in_motion(path)
     assert moving is not None
-    done: Any = commands.predict(found, path, bands=True)
+    done: Any = dc.predict(found, path, bands=True)
     return done, moving.read(robot()).readings
 
 
@@ -105,7 +104,7 @@ def test_bands_are_as_wide_as_the_noise_where_much_is_known_and_wider_where_litt
             assert (low == "") == (value == "") == (high == "")
             assert not value or float(low) < float(value) < float(high)
     with pytest.raises(UsageError, match="'place' means nothing"):
-        commands.predict(found["much"], path, place=path, bands=True)
+        dc.predict(found["much"], path, place=path, bands=True)
 
 
 def test_a_result_that_keeps_no_uncertainty_says_so(tmp_path: Path) -> None:
@@ -115,10 +114,10 @@ def test_a_result_that_keeps_no_uncertainty_says_so(tmp_path: Path) -> None:
     old = read_answer(found | {"joints": [cut, *found["joints"][1:]]})
     dc.predict(old, path)
     with pytest.raises(InputError, match="says nothing of how surely it knows joint 1"):
-        commands.predict(old, path, bands=True)
+        dc.predict(old, path, bands=True)
     other = cut | {"uncertainty": found["joints"][0]["uncertainty"] | {"factor": [1.0]}}
     with pytest.raises(InputError, match="changed by hand"):
-        commands.predict(read_answer(found | {"joints": [other, *found["joints"][1:]]}), path, bands=True)
+        dc.predict(read_answer(found | {"joints": [other, *found["joints"][1:]]}), path, bands=True)
 
 
 def test_ends_are_named_after_their_column() -> None:
@@ -154,7 +153,7 @@ def test_what_joints_that_stood_did_not_show_is_not_made_up_of_their_noise(
     result = tmp_path / "found.json"
     result.write_text(json.dumps(found.to_dict()))
     said: list[str] = []
-    commands.predict(found.to_dict(), fresh, tell=said.append)
+    dc.predict(found.to_dict(), fresh, tell=said.append)
     assert any("must move at once" in words for words in said)
     assert "must move at once" in " ".join(run("validate", result, fresh)[1].split())
 

@@ -195,7 +195,7 @@ def test_of_several_setups_the_one_that_carries_something_is_told(tmp_path: Path
     setups = ["loaded" if row.startswith(("2", "3")) else "empty" for row in rows]
     lines = [f"{head},setup", *(f"{own},0.0,{setup}" for own, setup in zip(cells, setups, strict=True))]
     path.write_text("\n".join(lines) + "\n")
-    dc.simulate(tmp_path / "robot.toml", path, made, truth=tmp_path / "truth.toml", noise=NOISE, seed=3)
+    dc.simulate(tmp_path / "robot.toml", path, output=made, truth=tmp_path / "truth.toml", noise=NOISE, seed=3)
     found = dc.diagnose(tmp_path / "robot.toml", made)
     assert named(found) == {"payload_error": []}
     mass, *_ = found["effects"][0]["parameters"]
@@ -317,7 +317,7 @@ def test_a_model_predicts_samples_it_has_not_seen(tmp_path: Path, diagnosed: Any
     lines = path.read_text().splitlines()
     bare.write_text("\n".join(",".join(line.split(",")[:5]) for line in lines) + "\n")
     bare.with_suffix(".toml").write_text(path.with_suffix(".toml").read_text())
-    dc.predict(diagnosed, bare, tmp_path / "predicted.csv")
+    dc.predict(diagnosed, bare, output=tmp_path / "predicted.csv")
     cells = [line.split(",") for line in (tmp_path / "predicted.csv").read_text().splitlines()]
     assert cells[0] == ["time_s", "q1_deg", "q2_deg", "q3_deg", "tau1_Nm", "tau2_Nm", "tau3_Nm"]
     known = np.array([[float(c) if c else np.nan for c in row[4:]] for row in cells[1:]])
@@ -489,11 +489,11 @@ def test_the_matrix_in_motion_is_the_regressor(run: Run, tmp_path: Path) -> None
         terms = [(H[:, found["names"].tolist().index(name)], share) for name, share in combination["terms"].items()]
         assert np.abs(sum(h * share for h, share in terms)).max() < 1e-6 * max(np.abs(h * s).max() for h, s in terms)
     with pytest.raises(UsageError, match="there is the model serial/rigid only"):
-        dc.matrix(*files, "serial/18")
+        dc.matrix(*files, model="serial/18")
     currents = written(tmp_path, usual, runs=1)
     currents.write_text(currents.read_text().replace("tau1_Nm,tau2_Nm,tau3_Nm", "current1_A,current2_A,current3_A"))
     with pytest.raises(InputError, match="current1_A is no torque"):
-        dc.matrix(tmp_path / "robot.toml", currents, "rigid")
+        dc.matrix(tmp_path / "robot.toml", currents, model="rigid")
 
 
 def test_a_base_leaves_out_what_is_never_seen() -> None:

@@ -49,7 +49,7 @@ def test_what_rounding_leaves_is_nothing(tmp_path: Path, stated: bool, coulomb: 
     """Simulated without noise: no effect, and no open question, of what is a ten-millionth of what drives give."""
     truth = f'[[effects]]\nname = "coulomb_friction"\nlimbs = [2]\ncoulomb = {coulomb}\n'
     path, made = planned(tmp_path, truth, runs=3, seconds=6.0), tmp_path / "made.csv"
-    dc.simulate(tmp_path / "robot.toml", path, made, truth=tmp_path / "truth.toml")
+    dc.simulate(tmp_path / "robot.toml", path, output=made, truth=tmp_path / "truth.toml")
     if not stated:
         (tmp_path / "robot.toml").write_text(robot_to_toml(robot()))
     found = dc.diagnose(tmp_path / "robot.toml", made)
@@ -112,7 +112,7 @@ def commanded(tmp_path: Path) -> Path:
 
 def test_a_simulation_gives_the_torques_of_bodies_and_truth(commanded: Path) -> None:
     folder = commanded.parent
-    done: Any = dc.simulate(folder / "robot.toml", commanded, folder / "made.csv", truth=folder / "truth.toml")
+    done: Any = dc.simulate(folder / "robot.toml", commanded, output=folder / "made.csv", truth=folder / "truth.toml")
     states = trajectory(5.0, 3)
     machine = dynamics_of(read_robot(folder / "robot.toml"))
     inertia = machine.stated()
@@ -125,7 +125,7 @@ def test_a_simulation_gives_the_torques_of_bodies_and_truth(commanded: Path) -> 
     again = kinds.in_motion(folder / "made.csv")
     assert again is not None
     assert again.read(robot()).readings == pytest.approx(wanted, abs=1e-9)
-    noisy: Any = dc.simulate(folder / "robot.toml", commanded, folder / "noisy.csv", noise=0.1, seed=4)
+    noisy: Any = dc.simulate(folder / "robot.toml", commanded, output=folder / "noisy.csv", noise=0.1, seed=4)
     assert np.std(noisy.readings - dc.simulate(folder / "robot.toml", commanded).readings) == pytest.approx(
         0.1, rel=0.1
     )

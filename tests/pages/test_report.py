@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from deltacal_gen.app import commands
+import deltacal_gen as dc
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.pages import figures, report
 from deltacal_gen.pages.left import Left
@@ -23,7 +23,7 @@ pytestmark = pytest.mark.usefixtures("compiled")
 @pytest.fixture(scope="module")
 def diagnosed() -> dict[str, Any]:
     folder = example("gearbox")
-    found = commands.diagnose(folder / "robot.toml", folder / "recording.csv")
+    found = dc.diagnose(folder / "robot.toml", folder / "recording.csv")
     done: dict[str, Any] = json.loads(found.to_json())
     return done
 
@@ -138,7 +138,7 @@ def test_one_sheet_as_a_file(found: dict[str, Any], tmp_path: Any) -> None:
 
 def test_the_page_of_a_calibration_shows_what_is_left_where_its_fit_is_known(tmp_path: Any) -> None:
     folder, page = example(), tmp_path / "page.html"
-    found = commands.identify(folder / "robot.toml", folder / "recording.csv", model="32", report=page)
+    found = dc.identify(folder / "robot.toml", folder / "recording.csv", model="32", report=page)
     said = page.read_text()
     for title in ("In the order of the recording", "How they spread", "Where it was measured, from the side"):
         assert title in said
@@ -156,8 +156,8 @@ def test_what_is_far_off_does_not_stretch_the_scale() -> None:
 
 def test_a_printer_is_told_how_its_lines_are_written() -> None:
     folder = example("linear_delta")
-    printer = commands.import_klipper(folder / "printer.cfg")
-    found = commands.identify(printer.robot, printer.recordings["mesh_default"])
+    printer = dc.import_klipper(folder / "printer.cfg")
+    found = dc.identify(printer.robot, printer.recordings["mesh_default"])
     said = words(report.calibration(found))
     assert "--export klipper" in said
     assert "targets.csv" not in said

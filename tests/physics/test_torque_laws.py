@@ -201,7 +201,7 @@ def test_it_is_commanded_by_python_and_refused_as_c(found: tuple[str, Path, Any]
     moving = np.isfinite(predicted)
     np.testing.assert_allclose(commanded[moving], predicted[moving], atol=1e-9)
     with pytest.raises(UsageError, match="is a law"):
-        dc.compensate(kept, output=tmp_path / "drive.c", export="c")
+        dc.export_compensator(kept, output=tmp_path / "drive.c", export="c")
 
 
 @pytest.mark.parametrize("name", ["law torque = c1*Nothing(q)", "law nowhere = c1*q"])

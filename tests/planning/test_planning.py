@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from deltacal_gen.app import commands
+import deltacal_gen as dc
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.estimation.problem import pose_problem
@@ -446,6 +446,6 @@ def test_images_of_a_board_are_planned_where_they_show_it() -> None:
 
 
 def test_the_only_model_need_not_be_named() -> None:
-    assert commands.plan(example("serial") / "robot.toml", optimal=30).model == "serial/dh"
+    assert dc.plan(example("serial") / "robot.toml", optimal=30).model == "serial/dh"
     with pytest.raises(UsageError, match="--model delta/42, delta/36"):
-        commands.plan(example("delta") / "robot.toml", optimal=30)
+        dc.plan(example("delta") / "robot.toml", optimal=30)

@@ -11,8 +11,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import deltacal_gen as dc
 from deltacal_gen import InputError, UsageError, read_robot
-from deltacal_gen.app import commands
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import Robot
@@ -99,7 +99,7 @@ def test_other_readings(mechanism: str, kind: str, model: str, robot: Robot, tmp
     if kind == "distance":
         pairs = [f"{a},{b}," for a in range(n) for b in range(a)]
         file.with_suffix(".distances.csv").write_text("pose_a,pose_b,distance_mm\n" + "\n".join(pairs) + "\n")
-    found = commands.study(robot, file, model=model, trials=60, workers=1)
+    found = dc.study(robot, plan=file, model=model, trials=60, workers=1)
     after = found["position"]["after"]
     assert found["lost"] == 0
     assert after["rms_mm"] == pytest.approx(after["predicted_rms_mm"], rel=0.25)
@@ -107,14 +107,14 @@ def test_other_readings(mechanism: str, kind: str, model: str, robot: Robot, tmp
 
 
 def test_workers_change_nothing_and_a_run_is_resumed(robot: Robot, plan: Path, tmp_path: Path) -> None:
-    alone = commands.study(robot, plan, model="18", trials=260, workers=1, directory=tmp_path / "run")
-    both = commands.study(robot, plan, model="18", trials=260, workers=2)
+    alone = dc.study(robot, plan=plan, model="18", trials=260, workers=1, resume=tmp_path / "run")
+    both = dc.study(robot, plan=plan, model="18", trials=260, workers=2)
     assert alone.to_json() == both.to_json()
     kept = sorted((tmp_path / "run" / "tasks").rglob("*.json"))
     kept[0].unlink()
-    again = commands.study(robot, plan, model="18", trials=260, workers=1, directory=tmp_path / "run")
+    again = dc.study(robot, plan=plan, model="18", trials=260, workers=1, resume=tmp_path / "run")
     assert again.to_json() == alone.to_json()
-    other = commands.study(robot, plan, model="18", trials=260, workers=1, directory=tmp_path / "run", seed=1)
+    other = dc.study(robot, plan=plan, model="18", trials=260, workers=1, resume=tmp_path / "run", seed=1)
     assert other["parameters"] != alone["parameters"]
 
 
@@ -168,16 +168,16 @@ def test_a_plan_that_carries_too_little_is_refused(robot: Robot, plan: Path, tmp
     short = tmp_path / "plan.csv"
     short.write_text("\n".join(plan.read_text().splitlines()[:6]) + "\n")
     with pytest.raises(InputError, match="nothing says how well"):
-        commands.study(robot, short)
+        dc.study(robot, plan=short)
     with pytest.raises(InputError, match="are needed"):
-        commands.study(robot, short, model="32", noise=0.01)
+        dc.study(robot, plan=short, model="32", noise=0.01)
 
 
 def test_a_trajectory_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "trajectory.csv"
-    commands.plan(example() / "robot.toml", None, path, kind="torque", runs=1, period=4.0)
+    dc.plan_trajectory(example() / "robot.toml", output=path, runs=1, period_s=4.0)
     with pytest.raises(UsageError, match="a study is of poses, and this is a trajectory"):
-        commands.study(example() / "robot.toml", path, noise=0.05)
+        dc.study(example() / "robot.toml", plan=path, noise=0.05)
 
 
 def test_a_plan_of_a_second_encoder_says_what_a_diagnosis_would_find(robot: Robot, tmp_path: Path, run: Run) -> None:
@@ -201,7 +201,7 @@ def test_a_plan_of_a_second_encoder_says_what_a_diagnosis_would_find(robot: Robo
     assert "held out before, deg" in page.read_text()
     bare = tmp_path / "bare.toml"
     bare.write_text('[robot]\nname = "arms alone"\nmechanism = "delta"\n')
-    again = commands.study(bare, plan, suspects=[tmp_path / "play.toml"], diagnoses=1, workers=1)
+    again = dc.study(bare, plan=plan, suspect=[tmp_path / "play.toml"], diagnoses=1, workers=1)
     assert again["suspects"][1]["named_right"] == 1
 
 
@@ -210,6 +210,6 @@ def _joints(rng: np.random.Generator, count: int) -> list[str]:
 
 
 def test_where_nothing_is_wrong_and_nothing_is_freed_nothing_is_taken_off(robot: Robot, plan: Path) -> None:
-    found = commands.study(robot, plan, model="delta/0", trials=3, workers=1)
+    found = dc.study(robot, plan=plan, model="delta/0", trials=3, workers=1)
     assert found["advice"]["doubling"] == 0
     assert [g["gain"] for g in found["advice"]["add"]] == [0, 0]

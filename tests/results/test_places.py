@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from deltacal_gen.app import commands
+import deltacal_gen as dc
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.files.robot import kept_robot, read_robot, robot_from_dict, robot_to_toml
 from deltacal_gen.machine.places import at, place_of, places_of
@@ -72,7 +72,7 @@ def test_what_is_found_on_an_arm_is_told_of_its_joints_everywhere(run: Run, tmp_
     np.savetxt(tmp_path / "poses.csv", np.hstack([q, approach]), delimiter=",", header=header, comments="")
     (tmp_path / "poses.toml").write_text('[measurement]\nkind = "pose"\nframe = "unknown"\n')
     robot, read = tmp_path / "robot.toml", tmp_path / "read.csv"
-    commands.simulate(robot, tmp_path / "poses.csv", read, truth=tmp_path / "truth.toml", noise=0.01, seed=1)
+    dc.simulate(robot, tmp_path / "poses.csv", output=read, truth=tmp_path / "truth.toml", noise=0.01, seed=1)
     code, out, _ = run("diagnose", robot, read, "-o", tmp_path / "found.json", "--report", tmp_path / "found.html")
     found = json.loads((tmp_path / "found.json").read_text())
     assert (code, [(e["name"], e["limbs"]) for e in found["effects"]]) == (0, [("backlash", [2])])

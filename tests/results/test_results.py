@@ -184,10 +184,10 @@ def answers(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Mapping[str, 
         "validation": dc.validate(diagnosis, GEARBOX / "recording.csv"),
         "certificate": dc.certificate(result, dc.read_recording(DELTA / "recording.csv", dc.load_mechanism("delta"))),
         "comparison": dc.compare(result, result),
-        "plan": dc.plan(DELTA / "robot.toml", "delta/18", sigma_mm=0.01),
-        "cycles": dc.plan(DELTA / "robot.toml", kind="encoder", positions=3),
-        "study": dc.study(DELTA / "robot.toml", DELTA / "poses.csv", trials=20, noise=0.01, workers=1),
-        "batch": dc.batch(fleet, folder / "run", "identify", workers=1),
+        "plan": dc.plan(DELTA / "robot.toml", model="delta/18", noise=0.01),
+        "cycles": dc.plan_cycles(DELTA / "robot.toml", kind="encoder", positions=3),
+        "study": dc.study(DELTA / "robot.toml", plan=DELTA / "poses.csv", trials=20, noise=0.01, workers=1),
+        "batch": dc.batch(fleet, output=folder / "run", do="identify", workers=1),
     }
 
 

@@ -31,7 +31,7 @@ def diagnosis() -> dc.Diagnosis:
 
 def test_an_answer_shows_itself_in_a_line_and_in_a_table(result: dc.Result, diagnosis: dc.Diagnosis) -> None:
     validation = dc.validate(result, DELTA / "recording.csv")
-    plan = dc.plan(DELTA / "robot.toml", "18", n_max=4)
+    plan = dc.plan(DELTA / "robot.toml", model="18", n_max=4)
     comparison = dc.compare(result, result)
     for answer in (result, diagnosis, validation, plan, comparison):
         assert repr(answer).startswith(f"<{type(answer).__name__}: ")

@@ -31,9 +31,9 @@ def test_each_sort_of_answer_draws_itself(result: dc.Result) -> None:
     answers: list[Answer] = [
         result,
         dc.validate(result, DELTA / "recording.csv"),
-        dc.plan(DELTA / "robot.toml", "delta/3"),
+        dc.plan(DELTA / "robot.toml", model="delta/3"),
         dc.compare(result, result),
-        dc.study(DELTA / "robot.toml", DELTA / "poses.csv", model="delta/3", trials=8, workers=1, noise=0.01),
+        dc.study(DELTA / "robot.toml", plan=DELTA / "poses.csv", model="delta/3", trials=8, workers=1, noise=0.01),
     ]
     for answer in answers:
         sheet = answer.plot()
@@ -47,15 +47,15 @@ def test_a_picture_leaves_the_backend_of_a_program_alone() -> None:
     script = (
         "import sys, deltacal_gen as dc\n"
         f"folder = {str(DELTA)!r}\n"
-        "dc.plan(folder + '/robot.toml', 'delta/3').plot()\n"
+        "dc.plan(folder + '/robot.toml', model='delta/3').plot()\n"
         "assert 'matplotlib.pyplot' not in sys.modules"
     )
     subprocess.run([sys.executable, "-c", script], check=True)
 
 
 def test_a_solver_is_given_as_an_object(result: dc.Result) -> None:
-    by_name = dc.identify(DELTA / "robot.toml", DELTA / "recording.csv", "delta/18", solver="tsvd", truncation=10)
-    given = dc.identify(DELTA / "robot.toml", DELTA / "recording.csv", "delta/18", solver=dc.TSVD(10, 0.005))
+    by_name = dc.identify(DELTA / "robot.toml", DELTA / "recording.csv", model="delta/18", method="tsvd", truncation=10)
+    given = dc.identify(DELTA / "robot.toml", DELTA / "recording.csv", model="delta/18", method=dc.TSVD(10, 0.005))
     assert given.replace(made=None) == by_name.replace(made=None)
     assert given.train_rms_mm > result.train_rms_mm
 

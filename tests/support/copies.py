@@ -12,9 +12,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-import typer
-
-from deltacal_gen.app import cli
+from deltacal_gen.app.cli.table import COMMANDS
 from deltacal_gen.pages import manual
 from tests.support import shared
 
@@ -30,9 +28,9 @@ OTHERS = {  # commands that no file of a registry changes
     "import": "what other programs keep, of machines that they know",
     "camera": "of the camera alone",
 }
-COMMANDS = """
+LINES = """
 import json, sys
-from deltacal_gen.app import cli
+from deltacal_gen.app.cli.table import COMMANDS
 for line in json.loads(sys.argv[1]):
     sys.argv[1:] = line
     try:
@@ -67,7 +65,7 @@ def called(folder: Path, *arguments: object, paths: Sequence[Path], where: str =
 def commanded(folder: Path, *lines: Sequence[object], paths: Sequence[Path], where: str = ".") -> list[str]:
     """Run command lines of ``deltacal`` on a copy, in one process, which imports once; return what each printed."""
     given = json.dumps([[str(word) for word in line] for line in lines])
-    *said, rest = called(folder, "-c", COMMANDS, given, paths=paths, where=where).split("\0")
+    *said, rest = called(folder, "-c", LINES, given, paths=paths, where=where).split("\0")
     assert not rest
     return said
 
@@ -143,4 +141,5 @@ class Checkout:
 
 def untried(*lines: Sequence[object]) -> set[str]:
     """Return the commands that stand in no line and concern what was added."""
-    return set(typer.main.get_command(cli.app).commands) - {str(line[0]) for line in lines} - OTHERS.keys()
+    names = {name for group in COMMANDS.values() for name in group}
+    return names - {str(line[0]) for line in lines} - OTHERS.keys()

@@ -106,7 +106,7 @@ def planned(folder: Path, truth: str, runs: int = 4, seconds: float = 10.0) -> P
 def carried(folder: Path, truth: str) -> Path:
     """Write runs of an arm whose file states all bodies, with a payload that is written as 2 kg; return the path."""
     path, made = planned(folder, truth), folder / "made.csv"
-    dc.simulate(folder / "robot.toml", path, made, truth=folder / "truth.toml", noise=NOISE, seed=3)
+    dc.simulate(folder / "robot.toml", path, output=made, truth=folder / "truth.toml", noise=NOISE, seed=3)
     return made
 
 

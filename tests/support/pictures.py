@@ -30,25 +30,25 @@ def main() -> int:
     try:
         with tempfile.TemporaryDirectory() as folder:
             pages = Path(folder)
-            dc.derivation("delta/42", pages / "derivation.html")
+            dc.derivation("delta/42", output=pages / "derivation.html")
             diamond = EXAMPLES / "diamond"
             dc.identify(
-                diamond / "robot.toml", diamond / "recording.csv", "diamond/10", report=pages / "calibration.html"
+                diamond / "robot.toml", diamond / "recording.csv", model="diamond/10", report=pages / "calibration.html"
             )
             delta, gearbox = EXAMPLES / "delta", EXAMPLES / "gearbox"
             dc.study(
                 delta / "robot.toml",
-                delta / "poses.csv",
+                plan=delta / "poses.csv",
                 model="delta/32",
                 noise=0.01,
-                suspects=[gearbox / "truth.toml"],
+                suspect=[gearbox / "truth.toml"],
                 trials=300,
                 diagnoses=1,
                 report=pages / "study.html",
             )
             for name in ("diamond", "gearbox", "planar_parallelogram", "serial"):
                 shutil.copytree(EXAMPLES / name, pages / "shop" / name)
-            dc.batch(pages / "shop", pages / "run")
+            dc.batch(pages / "shop", output=pages / "run")
             for page, at, height, picture in (
                 ("derivation.html", "body", 1060, delta / "derivation.png"),
                 ("derivation.html", "#step-5", HEIGHT, delta / "derivation_steps.png"),

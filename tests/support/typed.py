@@ -24,7 +24,7 @@ def calibrated(folder: Path, frame: pd.DataFrame) -> dc.Result:
     assert_type(result.parameters[0].status, dc.Status)
     assert_type(result.plot(), Figure)
     assert_type(result.summary(), str)
-    cut = dc.identify(result.robot, frame, model=18, solver=dc.TSVD(12))
+    cut = dc.identify(result.robot, frame, model=18, method=dc.TSVD(12))
     assert cut.heldout_rms_mm is not None
     return cut
 
@@ -39,7 +39,7 @@ def used(result: dc.Result, folder: Path, frame: pd.DataFrame) -> dc.Comparison:
     assert_type(predicted, dc.Recording)
     assert len(predicted.to_dataframe()) == predicted.n_rows
     assert_type(dc.validate(result, frame).rms_mm, float)
-    planned = dc.plan(result.robot, "delta/18")
+    planned = dc.plan(result.robot, model="delta/18")
     assert_type(planned.chosen, int | None)
     again = dc.simulate(result.robot, folder / "poses.csv", noise=0.01)
     return dc.compare(result, dc.identify(result.robot, again, model="delta/18"))

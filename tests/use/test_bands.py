@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from deltacal_gen.app import commands
+import deltacal_gen as dc
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.errors import InputError
@@ -147,7 +147,7 @@ def test_a_set_up_that_is_placed_has_wider_bands_that_hold(robot: Robot, mechani
 def test_commands_stand_in_their_bands(robot: Robot, mechanism: Machine, tmp_path: Path) -> None:
     truth, targets = plausible(mechanism, 9), scattered(robot, 40, 2)
     result = identify(robot, day(robot, truth, POSES, 9, SIGMA)).answer()
-    commands.compensate(result, targets, tmp_path / "joints.csv", bands=True)
+    dc.compensate(result, targets, output=tmp_path / "joints.csv", bands=True)
     with (tmp_path / "joints.csv").open() as file:
         rows = list(csv.DictReader(file))
     q = np.radians([[float(r[f"q{i}_deg"]) for i in (1, 2, 3)] for r in rows])
@@ -176,7 +176,7 @@ def test_the_commands_write_bands_where_they_are_asked_to(run: Run, tmp_path: Pa
     assert run("compensate", saved, targets, "--bands")[0] == 2
     older = {k: v for k, v in json.loads(saved.read_text()).items() if k != "uncertainty"}
     with pytest.raises(InputError, match="nothing of its uncertainty"):
-        commands.predict(older, folder / "recording.csv", bands=True)
+        dc.predict(older, folder / "recording.csv", bands=True)
 
 
 def test_bands_of_distances_stand_in_their_file(robot: Robot, mechanism: Machine, tmp_path: Path) -> None:
@@ -192,7 +192,7 @@ def test_bands_of_distances_stand_in_their_file(robot: Robot, mechanism: Machine
     made = dataclasses.replace(made, channels={})
     true = simulate(robot, wanted(scattered(robot, 20, 8), "distance", pairs=pairs), truth)
     result = identify(robot, made, "18").answer()
-    commands.predict(result, dataclasses.replace(true, channels={}), tmp_path / "p.csv", bands=True)
+    dc.predict(result, dataclasses.replace(true, channels={}), output=tmp_path / "p.csv", bands=True)
     with (tmp_path / "p.csv").open() as file:
         rows = list(csv.DictReader(file))
     low, high = (np.array([float(r[f"distance_{end}_mm"]) for r in rows]) for end in ("lo", "hi"))
@@ -202,11 +202,11 @@ def test_bands_of_distances_stand_in_their_file(robot: Robot, mechanism: Machine
 
 def test_uncertainty_of_effects_that_were_taken_out_by_hand_gives_no_bands(tmp_path: Path) -> None:
     folder = example("gearbox")
-    found = commands.diagnose(folder / "robot.toml", folder / "recording.csv")
+    found = dc.diagnose(folder / "robot.toml", folder / "recording.csv")
     edited = found | {"physics": []}
-    commands.predict(edited, folder / "recording.csv", tmp_path / "predicted.csv")
+    dc.predict(edited, folder / "recording.csv", output=tmp_path / "predicted.csv")
     with pytest.raises(InputError, match="of 1 coefficients of effects, and it has others"):
-        commands.predict(edited, folder / "recording.csv", tmp_path / "predicted.csv", bands=True)
+        dc.predict(edited, folder / "recording.csv", output=tmp_path / "predicted.csv", bands=True)
 
 
 def test_errors_without_a_unit_are_called_so() -> None:

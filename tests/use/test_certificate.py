@@ -43,7 +43,7 @@ place = "customer"
 
 @pytest.fixture(scope="module")
 def result() -> dc.Result:
-    return dc.identify(ROBOT, DELTA / "recording.csv", "delta/24")
+    return dc.identify(ROBOT, DELTA / "recording.csv", model="delta/24")
 
 
 @pytest.fixture(scope="module")
@@ -58,7 +58,7 @@ def other(tmp_path_factory: pytest.TempPathFactory) -> Path:
         '[measurement]\nkind = "position"\nframe = "unknown"\ninstrument = "tracker 7"\n'
     )
     truth = DELTA / "truth.toml"
-    dc.simulate(ROBOT, folder / "poses.csv", folder / "other.csv", truth=truth, noise=0.005, seed=5)
+    dc.simulate(ROBOT, folder / "poses.csv", output=folder / "other.csv", truth=truth, noise=0.005, seed=5)
     return folder / "other.csv"
 
 
@@ -114,7 +114,7 @@ def test_the_budget_adds_up_and_holds(found: dc.Certificate) -> None:
 
 
 def test_a_model_that_is_all_there_leaves_nothing_out(other: Path) -> None:
-    full = dc.certificate(dc.identify(ROBOT, DELTA / "recording.csv", "delta/42"), other)
+    full = dc.certificate(dc.identify(ROBOT, DELTA / "recording.csv", model="delta/42"), other)
     assert not any("leaves out" in c.source for c in full.budget.contributions)
     assert full.identifier.startswith("deltacal-")
     assert full.performed is None
@@ -163,7 +163,7 @@ def test_readings_of_another_kind_are_certified_in_their_own_unit(tmp_path: Path
     (tmp_path / "poses.csv").write_text("\n".join(["pose,q1_deg,q2_deg,q3_deg", *rows]) + "\n")
     (tmp_path / "poses.toml").write_text('[measurement]\nkind = "encoder"\nsigma_deg = 0.01\n')
     robot, readings = dc.read_robot(tmp_path / "robot.toml"), tmp_path / "readings.csv"
-    dc.simulate(robot, tmp_path / "poses.csv", readings, noise=0.01, seed=1)
+    dc.simulate(robot, tmp_path / "poses.csv", output=readings, noise=0.01, seed=1)
     given = read_recording(readings, mechanism_of(robot))
     found = dc.certificate(dc.identify(robot, given.subset(slice(20))), given.subset(slice(20, 40)))
     assert (found.unit, found.kind) == ("deg", "encoder")
@@ -218,7 +218,7 @@ def test_what_cannot_be_said_of_a_certificate_is_refused(
 
 def test_readings_of_the_fit_are_no_check_of_it(result: dc.Result, tmp_path: Path) -> None:
     with pytest.raises(InputError, match="made of these readings"):
-        dc.certificate(result, DELTA / "recording.csv", tmp_path / "c.html")
+        dc.certificate(result, DELTA / "recording.csv", output=tmp_path / "c.html")
     assert not [*tmp_path.iterdir()]
 
 
@@ -228,7 +228,7 @@ def test_readings_of_the_fit_are_told_by_any_ending(tmp_path: Path, name: str) -
     shutil.copyfile(DELTA / "recording.toml", tmp_path / "own.toml")
     fitted = dc.identify(ROBOT, tmp_path / name, model="18")
     with pytest.raises(InputError, match="made of these readings"):
-        dc.certificate(fitted, tmp_path / name, tmp_path / "c.html")
+        dc.certificate(fitted, tmp_path / name, output=tmp_path / "c.html")
 
 
 def test_a_result_without_uncertainty_is_refused(other: Path) -> None:

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from deltacal_gen.app import commands
+import deltacal_gen as dc
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.files.recording import read_recording
@@ -81,19 +81,19 @@ def test_poses_without_joints_choose_how_the_arm_stands_and_go_on_so(tmp_path: P
     r, q = flawed(), np.full(6, 0.6) + np.linspace(0, 0.3, 12)[:, None] * [1, -1, 1, 1, 1, 1] + [0, 0, 0.8, 0, 0.5, 0]
     wanted = Compensator(robot()).pose(q)[0]
     numbers = np.hstack([wanted[:, :3], to_vector(wanted[:, 3:].reshape(-1, 3, 3)) / DEG])
-    joints = commands.compensate(calibrated(r), numbers)
+    joints = dc.compensate(calibrated(r), numbers)
     assert np.abs(Compensator(r).missed(joints * DEG, wanted)).max() < 1e-8
     assert np.abs(np.diff(joints, axis=0)).max() < 10  # no jump from one way of standing to another
     assert ((joints > np.array(LIMITS["limits_deg"])[:, 0]) & (joints < np.array(LIMITS["limits_deg"])[:, 1])).all()
     file = tmp_path / "targets.csv"
     np.savetxt(file, numbers, delimiter=",", comments="", header="x_mm,y_mm,z_mm,rx_deg,ry_deg,rz_deg")
-    assert commands.compensate(calibrated(r), file) == pytest.approx(joints, abs=1e-9)
+    assert dc.compensate(calibrated(r), file) == pytest.approx(joints, abs=1e-9)
     drawn = read_recording(file, mechanism_of(r), need_measured=False, allow_targets=True)
     reached = simulate(robot(joints=LIMITS), drawn, {})
     assert reached.measured[:, :3] == pytest.approx(numbers[:, :3], abs=1e-8)
     np.savetxt(file, numbers[:, :3], delimiter=",", comments="", header="x_mm,y_mm,z_mm")
     with pytest.raises(InputError, match="how an open chain shall stand"):
-        commands.compensate(calibrated(r), file)
+        dc.compensate(calibrated(r), file)
 
 
 def test_a_program_in_joints_is_corrected_as_it_stands(tmp_path: Path) -> None:
@@ -101,7 +101,7 @@ def test_a_program_in_joints_is_corrected_as_it_stands(tmp_path: Path) -> None:
     signed = robot(joints={"sign": [1, -1, 1, 1, -1, 1]})
     names = ",".join(f"q{i}_deg" for i in range(1, 7))
     np.savetxt(file, q / DEG, delimiter=",", comments="", header=names)
-    joints = commands.compensate(calibrated(r), file, tmp_path / "joints.csv")
+    joints = dc.compensate(calibrated(r), file, output=tmp_path / "joints.csv")
     assert np.abs(Compensator(r).missed(joints * DEG, Compensator(robot()).pose(q)[0])).max() < 1e-8
     written = np.loadtxt(tmp_path / "joints.csv", delimiter=",", skiprows=1)
     assert written[:, 1:] == pytest.approx(joints)
@@ -123,10 +123,10 @@ def test_a_tool_that_nobody_wrote_down_is_no_error_of_the_machine(tmp_path: Path
         noise_mm=0.01,
         rng=np.random.default_rng(1),
     )
-    found = commands.identify(untold, read, output=tmp_path / "result.json")
+    found = dc.identify(untold, read, output=tmp_path / "result.json")
     assert 0.1 < found["before_rms_mm"] < 2.0
     assert found["accuracy"]["before"]["distance_mm"] < 10.0
-    joints = commands.compensate(found, file)
+    joints = dc.compensate(found, file)
     assert 0 < np.abs(joints - q / DEG).max() < 3.0
 
 
@@ -143,7 +143,7 @@ def test_near_its_singularity_the_wrist_stays_and_what_it_leaves_is_told(tmp_pat
     free = calibrated(dataclasses.replace(r, joint_limits=None))
     file = tmp_path / "program.csv"
     np.savetxt(file, q / DEG, delimiter=",", comments="", header=",".join(f"q{i}_deg" for i in range(1, 7)))
-    commands.compensate(free, file, tell=told.append)
+    dc.compensate(free, file, tell=told.append)
     assert [words for words in told if "near singular" in words]
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from deltacal_gen.app import commands
+import deltacal_gen as dc
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.machine.registry import Machine
 from deltacal_gen.machine.rotation import from_vector
@@ -25,7 +25,7 @@ def session(robot: Robot, errors: dict[str, float], seed: int) -> Result:
     rng = np.random.default_rng(seed)
     frame = (rng.normal(size=3), rng.normal(size=3, scale=500.0))
     given = wanted(scattered(robot, 60, 4))
-    return commands.identify(robot, simulate(robot, given, errors, noise_mm=0.005, rng=rng, frame=frame))
+    return dc.identify(robot, simulate(robot, given, errors, noise_mm=0.005, rng=rng, frame=frame))
 
 
 @pytest.fixture(scope="module")
@@ -36,7 +36,7 @@ def sessions(robot: Robot, mechanism: Machine) -> dict[str, Result]:
 
 
 def test_a_machine_that_did_not_change_moved_by_what_it_is_known_to(sessions: dict[str, Result]) -> None:
-    found = commands.compare(sessions["before"], sessions["same"])
+    found = dc.compare(sessions["before"], sessions["same"])
     assert found.moved is not None
     assert found.moved.rms_mm < 0.01
     assert not found.combinations_changed
@@ -47,7 +47,7 @@ def test_what_a_slipped_encoder_does_is_told_in_mm_and_as_a_combination(
     robot: Robot, mechanism: Machine, sessions: dict[str, Result]
 ) -> None:
     """Distances between the points of the two machines, whatever stands between, are what the slip itself makes."""
-    found = commands.compare(sessions["before"], sessions["slipped"])
+    found = dc.compare(sessions["before"], sessions["slipped"])
     (changed,) = found.combinations_changed or ()
     assert changed.name.startswith("theta_2")
     assert changed.change == pytest.approx(0.5, abs=5 * (changed.std or 0.0))
@@ -76,10 +76,10 @@ def test_other_models_have_no_combinations_in_common(
 ) -> None:
     truth = plausible(mechanism, 3)
     rng = np.random.default_rng(4)
-    small = commands.identify(
-        robot, simulate(robot, wanted(scattered(robot, 60, 4)), truth, noise_mm=0.005, rng=rng), "18"
+    small = dc.identify(
+        robot, simulate(robot, wanted(scattered(robot, 60, 4)), truth, noise_mm=0.005, rng=rng), model="18"
     )
-    found: Comparison = commands.compare(sessions["before"], small)
+    found: Comparison = dc.compare(sessions["before"], small)
     assert found.combinations_changed is None
     assert found.moved is not None
 

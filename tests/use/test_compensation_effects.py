@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from deltacal_gen.app import commands
+import deltacal_gen as dc
 from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.files.robot import Robot
@@ -246,8 +246,8 @@ def test_the_machine_meets_its_targets_once_it_is_diagnosed(
 
     targets = scattered(machine, 40, 6)
     now = {k: v for k, v in channels(machine, 40, 7).items() if k in used}
-    joints = commands.compensate(found, targets, channels=now)
-    calibrated_only = commands.compensate(found | {"physics": []}, targets)
+    joints = dc.compensate(found, targets, channels=now)
+    calibrated_only = dc.compensate(found | {"physics": []}, targets)
     true_machine = Compensator(dataclasses.replace(machine, errors=truth), terms=(true_term,))
     at, _ = true_machine.channels(now, 40)
     error = np.linalg.norm(true_machine.reached(joints * DEG, None, at)[0] - targets, axis=1)
@@ -260,10 +260,10 @@ def test_the_machine_meets_its_targets_once_it_is_diagnosed(
     lines = [",".join(columns), *(",".join(repr(float(v)) for v in row) for row in zip(*columns.values(), strict=True))]
     (tmp_path / "targets.csv").write_text("\n".join(lines) + "\n")
     said: list[str] = []
-    from_file = commands.compensate(found, tmp_path / "targets.csv", tell=said.append)
+    from_file = dc.compensate(found, tmp_path / "targets.csv", tell=said.append)
     assert np.abs(from_file - joints).max() < 1e-12
     assert said == []
-    commands.compensate(found, targets, tell=said.append)
+    dc.compensate(found, targets, tell=said.append)
     assert len(said) == 1
     assert (
         spans(read_result(found)).items().keys()

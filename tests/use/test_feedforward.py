@@ -56,8 +56,10 @@ def known(tmp_path_factory: pytest.TempPathFactory) -> Path:
     (folder / "planned.csv").write_text("\n".join(rows))
     (folder / "planned.toml").write_text(MOTION)
     recording = folder / "recording.csv"
-    dc.simulate(folder / "robot.toml", folder / "planned.csv", recording, truth=folder / "truth.toml", noise=0.01)
-    dc.diagnose(folder / "robot.toml", recording, folder / "diagnosis.json")
+    dc.simulate(
+        folder / "robot.toml", folder / "planned.csv", output=recording, truth=folder / "truth.toml", noise=0.01
+    )
+    dc.diagnose(folder / "robot.toml", recording, output=folder / "diagnosis.json")
     return folder
 
 
@@ -113,7 +115,7 @@ def test_targets_are_brought_to_joints_by_the_geometry_of_the_result(known: Path
     rows = [",".join(f"{v!r}" for v in (time, *p)) for time, p in zip(t.tolist(), points.tolist(), strict=True)]
     (tmp_path / "line.csv").write_text("\n".join(["time_s,x_mm,y_mm,z_mm", *rows]))
     (tmp_path / "line.toml").write_text(MOTION)
-    found = dc.feed_forward(known / "diagnosis.json", tmp_path / "line.csv", tmp_path / "commands.csv")
+    found = dc.feed_forward(known / "diagnosis.json", tmp_path / "line.csv", output=tmp_path / "commands.csv")
     robot = dc.read_robot(known / "robot.toml")
     mechanism = mechanism_of(robot)
     assert robot.errors
@@ -186,7 +188,9 @@ def targets_along(
         rows = [f"{row},{cell}" for row, cell in zip(rows, [name, *cells], strict=True)]
     (folder / "line.csv").write_text("\n".join(rows))
     (folder / "line.toml").write_text(MOTION)
-    return dc.feed_forward(known / "diagnosis.json", folder / "line.csv", folder / "commands.csv", tell=told.append)
+    return dc.feed_forward(
+        known / "diagnosis.json", folder / "line.csv", output=folder / "commands.csv", tell=told.append
+    )
 
 
 def test_limits_of_the_robot_file_are_counted(known: Path) -> None:
@@ -218,7 +222,7 @@ def _result(folder: Path) -> Path:
     """Return an identified machine at rest."""
     rows = ["x_mm,y_mm,z_mm", *(f"{100 * np.cos(k)},{100 * np.sin(k)},{-800 - 10 * k}" for k in range(12))]
     (folder / "poses.csv").write_text("\n".join(rows))
-    dc.simulate(folder / "robot.toml", folder / "poses.csv", folder / "rest.csv", noise=0.01)
+    dc.simulate(folder / "robot.toml", folder / "poses.csv", output=folder / "rest.csv", noise=0.01)
     dc.identify(folder / "robot.toml", folder / "rest.csv", model="delta/3", output=folder / "rest.json")
     return folder / "rest.json"
 
@@ -244,7 +248,7 @@ def controller(known: Path) -> Any:
 
 def compiled(known: Path, answer: Any, name: str) -> Any:
     source, library = known / f"{name}.c", known / f"{name}.so"
-    dc.compensate(answer, output=source, export="c")
+    dc.export_compensator(answer, output=source, export="c")
     text = source.read_text()
     assert "malloc" not in text
     assert "while (" not in text
@@ -374,7 +378,7 @@ def test_a_controller_that_trembles_does_not_chatter(known: Path, controller: An
 
 def test_a_machine_in_motion_has_no_table(known: Path) -> None:
     with pytest.raises(UsageError, match="no export 'table' of a machine in motion"):
-        dc.compensate(known / "diagnosis.json", output=known / "x.csv", export="table")
+        dc.export_compensator(known / "diagnosis.json", output=known / "x.csv", export="table")
 
 
 def rigid_model(known: Path, robot: Robot) -> Any:

@@ -70,7 +70,7 @@ def answered(folder: Path, robot: Any) -> Any:
         for j in range(own.joints)
     )
     recording = written(folder, usual, runs=3, seconds=4.0)
-    dc.diagnose(recording.with_name("robot.toml"), recording, folder / "diagnosis.json")
+    dc.diagnose(recording.with_name("robot.toml"), recording, output=folder / "diagnosis.json")
     units = ["N" if unit == "mm" else "Nm" for unit in own.joint_units]
     columns = tuple(f"tau{j + 1}_{unit}" for j, unit in enumerate(units))
     answer: Any = dc.read_answer(folder / "diagnosis.json")
@@ -80,7 +80,7 @@ def answered(folder: Path, robot: Any) -> Any:
 def compiled(folder: Path, answer: Any, name: str) -> Any:
     """Return the exported file as a library."""
     source, library = folder / f"{name}.c", folder / f"{name}.so"
-    dc.compensate(answer.to_dict(), output=source, export="c")
+    dc.export_compensator(answer.to_dict(), output=source, export="c")
     text = source.read_text()
     assert "malloc" not in text
     assert "while (" not in text

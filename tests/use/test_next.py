@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from deltacal_gen.app import commands
+import deltacal_gen as dc
 from deltacal_gen.diagnosis import discrimination
 from deltacal_gen.diagnosis.designs import Duel, Refutation, choose
 from deltacal_gen.diagnosis.diagnosis import diagnose
@@ -100,7 +100,7 @@ def test_the_command_writes_a_recording_without_readings(soft: Diagnosis, run: R
     assert run("next", saved, "-o", out)[0] == 0
     assert read_recording(out, DELTA, need_measured=False).n_rows >= 3
     assert run("next", saved, "-o", out, "--budget", 0)[0] == 2
-    answer = commands.next_poses(saved, budget=9)
+    answer = dc.next_poses(saved, budget=9)
     assert [row["pose"] for row in answer.poses] == [r["pose"] for r in csv_rows(run, saved, out)]
     assert sum(q.rows for q in answer.questions) >= 9
 

@@ -37,9 +37,13 @@ def still(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Any]:
     (folder / "robot.toml").write_text(robot_to_toml(MACHINE))
     (folder / "truth.toml").write_text(TRUTH)
     dc.simulate(
-        folder / "robot.toml", folder / "moved.csv", folder / "recording.csv", truth=folder / "truth.toml", noise=0.05
+        folder / "robot.toml",
+        folder / "moved.csv",
+        output=folder / "recording.csv",
+        truth=folder / "truth.toml",
+        noise=0.05,
     )
-    return folder, dc.diagnose(folder / "robot.toml", folder / "recording.csv", folder / "diagnosis.json")
+    return folder, dc.diagnose(folder / "robot.toml", folder / "recording.csv", output=folder / "diagnosis.json")
 
 
 def columns(path: Path) -> dict[str, list[str]]:
@@ -60,7 +64,7 @@ def test_a_joint_that_stood_still_is_moved_and_its_friction_found(still: tuple[P
     speeds = np.abs(np.array(found["qd1_deg_s"], dtype=float))
     assert 40.0 < speeds.max() < 50.1  # [limits], at the samples by which it was planned
     done, made = folder / "next.csv", folder / "more.csv"
-    dc.simulate(folder / "robot.toml", done, made, truth=folder / "truth.toml", noise=0.05, seed=4)
+    dc.simulate(folder / "robot.toml", done, output=made, truth=folder / "truth.toml", noise=0.05, seed=4)
     assert named(dc.diagnose(folder / "robot.toml", made)) == {"coulomb_friction": [1, 3]}
 
 
@@ -71,7 +75,7 @@ def test_speeds_and_loads_that_tell_effects_apart_are_in_the_runs(still: tuple[P
         why="separates", text="", poses=(), expected_chi2=None, separates=names, run=("qd", "torque")
     )
     path = tmp_path / "next.csv"
-    asked = dc.next_poses(found.replace(next_measurements=(entry,)), path)
+    asked = dc.next_poses(found.replace(next_measurements=(entry,)), output=path)
     assert asked["motion"]["period_s"] == [10.0, 10.0, 10.0, 30.0, 90.0]
     assert asked["motion"]["payload_kg"] == [0.0, 5.0, 0.0, 5.0, 0.0]
     made = columns(path)
@@ -86,13 +90,13 @@ def test_speeds_and_loads_that_tell_effects_apart_are_in_the_runs(still: tuple[P
 
 def test_the_command_that_is_told_plans_such_runs(still: tuple[Path, Any], tmp_path: Path, run: Run) -> None:
     folder, found = still
-    words = shlex.split(dc.next_poses(found, tmp_path / "next.csv")["motion"]["command"])
+    words = shlex.split(dc.next_poses(found, output=tmp_path / "next.csv")["motion"]["command"])
     assert words[:3] == ["deltacal", "plan", "robot.toml"]
     code, _, err = run("plan", folder / "robot.toml", *words[3:])
     assert code == 0, err
     assert np.max(np.array(columns(tmp_path / "next.csv")["time_s"], dtype=float)) == 10.0
     with pytest.raises(UsageError, match=r"deltacal plan robot\.toml --kind torque --runs 3 --period 10"):
-        dc.next_poses(found, tmp_path / "next.csv", budget=20)
+        dc.next_poses(found, output=tmp_path / "next.csv", budget=20)
 
 
 def test_what_no_run_tells_is_said_and_nothing_written(still: tuple[Path, Any], tmp_path: Path, run: Run) -> None:

@@ -14,7 +14,6 @@ import pytest
 
 import deltacal_gen as dc
 from deltacal_gen import InputError, NoSolutionError, UsageError, import_klipper, import_marlin, import_rrf
-from deltacal_gen.app import commands
 from deltacal_gen.files.robot import Robot, robot_from_dict, robot_to_toml
 from deltacal_gen.files.writing import write_recording
 from deltacal_gen.identification.identification import identify
@@ -65,7 +64,7 @@ def test_a_klipper_session_comes_back_as_it_was(tmp_path: Path, printer: Robot) 
     back = got.recordings["recording"]
     assert back.joints[: len(heights)] == pytest.approx(heights, abs=1e-5)
     assert back.pair_measured == pytest.approx([d[0] for d in distances])
-    found = commands.identify(tmp_path / "out" / "robot.toml", tmp_path / "out" / "recording.csv", "9")
+    found = dc.identify(tmp_path / "out" / "robot.toml", tmp_path / "out" / "recording.csv", model="9")
     assert found["readings"]["kind"] == "height and distance"
     assert found["train_rms_mm"] < 1e-3
 
@@ -335,8 +334,8 @@ def test_a_machine_beyond_firmware_gets_the_firmware_s_own_fit(
     """What is written leaves on the bed what firmware's parameters leave of the readings: no truncated machine."""
     truth = plausible(rng, LINEAR.model("linear_delta/21"))
     heights = simulate(printer, recording(printer, grid(100, 20)), truth, noise_mm=0.01, rng=rng)
-    found = commands.identify(printer, heights, model, tmp_path / "result.json")
-    lines = commands.firmware_lines(found, "rrf")
+    found = dc.identify(printer, heights, model=model, output=tmp_path / "result.json")
+    lines = dc.firmware_lines(found, "rrf")
     assert lines.by_readings
     config = tmp_path / "config.g"
     config.write_text(lines.text)
@@ -377,25 +376,25 @@ def test_lines_by_heights_alone_ask_for_the_bed_alone(printer: Robot, run: Run, 
         geometry = {**printer.geometry, "radius": np.array([radius]), **numbers}
         return bed.left(dataclasses.replace(printer, geometry=geometry)).bed_rms_mm
 
-    by_diagnosis = commands.firmware_lines(commands.diagnose(printer, heights, output=tmp_path / "d.json"), "klipper")
-    by_fit = commands.firmware_lines(commands.identify(printer, heights), "klipper")
+    by_diagnosis = dc.firmware_lines(dc.diagnose(printer, heights, output=tmp_path / "d.json"), "klipper")
+    by_fit = dc.firmware_lines(dc.identify(printer, heights), "klipper")
     assert by_diagnosis.heights_alone
     assert not by_diagnosis.by_readings
     assert left(by_diagnosis) < 1.2 * left(by_fit)
     assert {v.after for v in by_diagnosis.values if v.name.startswith("arm")} == {270.0, 270.5, 269.5}
     out = run("compensate", tmp_path / "d.json", "--export", "klipper", "-o", tmp_path / "lines.cfg")[1]
     assert "lateral" not in out
-    assert "heights alone do not say" in " ".join(out.split())
+    assert "heights alone do not determine" in " ".join(out.split())
 
 
 def test_lines_that_are_worse_than_those_in_the_file_are_refused(
     tmp_path: Path, printer: Robot, rng: np.random.Generator
 ) -> None:
     heights = simulate(printer, recording(printer, grid(100, 30)), {}, noise_mm=0.01, rng=rng)
-    found = commands.identify(printer, heights, "6")
+    found = dc.identify(printer, heights, model="6")
     worse = found.replace(heldout_rms_mm=2 * found.before_rms_mm)
     with pytest.raises(NoSolutionError, match="your current values are already as good"):
-        commands.firmware_lines(worse, "klipper", tmp_path / "lines.cfg")
+        dc.firmware_lines(worse, "klipper", output=tmp_path / "lines.cfg")
     assert not (tmp_path / "lines.cfg").exists()
 
 
@@ -410,7 +409,7 @@ def test_what_changed_is_named_and_the_rest_is_not(printer: Robot, rng: np.rando
     first, second = (
         identify(printer, simulate(printer, poses, t, noise_mm=0.01, rng=rng), "9").answer() for t in (truth, later)
     )
-    found = commands.compare(first, second)
+    found = dc.compare(first, second)
     assert [e["name"] for e in found["changed"]] == ["endstop_2"]
     assert found["changed"][0]["change"] == pytest.approx(0.2, abs=0.03)
     assert "endstop_2 moved +0.2" in found["summary"]
@@ -430,12 +429,12 @@ def test_sessions_from_different_robot_files_are_compared_by_the_machine(
         | {"radius": printer.geometry["radius"] + 0.3, "arm_length": printer.geometry["arm_length"] + 0.2},
     )
     first, second = (identify(robot, done, "9").answer() for robot in (printer, moved))
-    found = commands.compare(first, second)
+    found = dc.compare(first, second)
     assert not found["changed"]
     assert {e["name"] for e in found["unchanged"]} == set(LINEAR.model("linear_delta/9"))
     other = dataclasses.replace(printer, geometry=printer.geometry | {"rod_spacing": np.array([60.0])})
     with pytest.raises(InputError, match="rod_spacing"):
-        commands.compare(first, identify(other, done, "9").answer())
+        dc.compare(first, identify(other, done, "9").answer())
 
 
 def test_a_session_from_the_file_calibrated_before_shows_only_what_moved(
@@ -448,7 +447,7 @@ def test_a_session_from_the_file_calibrated_before_shows_only_what_moved(
     poses = recording(printer, targets, "position")
     before, after = (simulate(printer, poses, t, noise_mm=0.01, rng=rng) for t in (truth, moved))
     first = identify(printer, before, "9")
-    found = commands.compare(first.answer(), identify(first.robot, after, "9").answer())
+    found = dc.compare(first.answer(), identify(first.robot, after, "9").answer())
     assert [e["name"] for e in found["changed"]] == ["endstop_2"]
     assert found["changed"][0]["change"] == pytest.approx(0.2, abs=0.03)
 
@@ -458,13 +457,13 @@ def test_what_firmware_would_fit_stands_beside(
 ) -> None:
     truth = plausible(rng, LINEAR.model("linear_delta/21"))
     heights = simulate(printer, recording(printer, grid(100, 20)), truth, noise_mm=0.01, rng=rng)
-    found = commands.identify(printer, heights)
+    found = dc.identify(printer, heights)
     beside = found["firmware"]
     assert found["model"] == "linear_delta/21"
     assert beside["model"] == "linear_delta/6"
-    assert beside["train_rms_mm"] == pytest.approx(commands.identify(printer, heights, "6")["train_rms_mm"])
+    assert beside["train_rms_mm"] == pytest.approx(dc.identify(printer, heights, model="6")["train_rms_mm"])
     assert found["heldout_rms_mm"] < beside["heldout_rms_mm"]
-    assert "firmware" not in commands.identify(printer, heights, "6")
+    assert "firmware" not in dc.identify(printer, heights, model="6")
     (tmp_path / "robot.toml").write_text(robot_to_toml(printer))
     write_recording(heights, tmp_path / "mesh.csv")
     _, text, _ = run("identify", tmp_path / "robot.toml", tmp_path / "mesh.csv")
@@ -477,7 +476,7 @@ def test_fewer_heights_than_firmware_has_parameters_are_fitted_by_a_smaller_mode
 ) -> None:
     """What is asked for, or as much as they carry: no comparison with a larger model stands in the way."""
     heights = simulate(printer, recording(printer, grid(100, 60)[:n]), {"endstop_1": 0.4}, noise_mm=0.01, rng=rng)
-    found = commands.identify(printer, heights, model)
+    found = dc.identify(printer, heights, model=model)
     assert found["model"] == f"linear_delta/{model or 4}"
     assert "firmware" not in found
 
@@ -488,8 +487,8 @@ def test_diagnose_begins_with_the_model_that_identify_takes(n: int, printer: Rob
     poses = recording(printer, grid(100, 30)[:n])
     heights = simulate(printer, poses, {"endstop_1": 0.4}, noise_mm=0.01, rng=rng)
     assert len(heights.joints) == n
-    diagnosed = commands.diagnose(printer, heights)
-    assert diagnosed["baseline"]["model"] == commands.identify(printer, heights)["model"]
+    diagnosed = dc.diagnose(printer, heights)
+    assert diagnosed["baseline"]["model"] == dc.identify(printer, heights)["model"]
 
 
 def test_six_parameters_of_firmware_are_enough_where_the_rest_is_known_from_before(
@@ -503,12 +502,12 @@ def test_six_parameters_of_firmware_are_enough_where_the_rest_is_known_from_befo
     later = truth | {n: truth.get(n, 0.0) + float(rng.normal(0, 0.2 if "angle" not in n else 1e-3)) for n in six}
     poses = recording(printer, grid(100, 20))
     sessions = [simulate(printer, poses, t, noise_mm=0.01, rng=rng) for t in (truth, later)]
-    diagnosis = commands.diagnose(printer, sessions[0])
+    diagnosis = dc.diagnose(printer, sessions[0])
     longer = printer.geometry["arm_length"] + 0.3  # firmware saved other arms in between
     saved = dataclasses.replace(printer, geometry=printer.geometry | {"arm_length": longer})
-    alone = commands.identify(printer, sessions[1], "6")
-    held = commands.identify(printer, sessions[1], "6", physics=diagnosis)
-    elsewhere = commands.identify(saved, sessions[1], "6", physics=diagnosis)
+    alone = dc.identify(printer, sessions[1], model="6")
+    held = dc.identify(printer, sessions[1], model="6", physics=diagnosis)
+    elsewhere = dc.identify(saved, sessions[1], model="6", physics=diagnosis)
     assert held["train_rms_mm"] < 0.013 < 2 * 0.013 < alone["train_rms_mm"]
     assert elsewhere["train_rms_mm"] == pytest.approx(held["train_rms_mm"], rel=1e-3)
     told = {p["name"]: p for p in elsewhere["parameters"]}

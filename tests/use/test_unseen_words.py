@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 import deltacal_gen as dc
-from deltacal_gen.app import commands
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.files.robot import Robot, robot_of
 from deltacal_gen.machine.registry import Machine, mechanism_of
@@ -28,7 +27,7 @@ def found(robot: Robot, mechanism: Machine) -> Result:
     rng = np.random.default_rng(1)
     given = wanted(scattered(robot, 60, 4))
     recording = simulate(robot, given, plausible(mechanism, 3), noise_mm=0.005, rng=rng)
-    return commands.identify(robot, recording)
+    return dc.identify(robot, recording)
 
 
 def test_what_no_reading_sees_of_a_delta_is_a_motion_of_it_as_a_whole(found: Result) -> None:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from deltacal_gen.app import commands
+import deltacal_gen as dc
 from deltacal_gen.errors import InputError
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.identification.accuracy import (
@@ -62,7 +62,7 @@ def test_what_is_no_result_is_said(tmp_path: Path, broken: dict[str, Any]) -> No
     (tmp_path / "result.json").write_text(json.dumps(broken))
     for given in (broken, tmp_path / "result.json"):
         with pytest.raises(InputError, match="no result of identify or diagnose"):
-            commands.validate(given, tmp_path / "recording.csv")
+            dc.validate(given, tmp_path / "recording.csv")
 
 
 def test_the_worst_rows_come_first_with_their_lines(

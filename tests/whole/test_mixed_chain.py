@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from deltacal_gen.app import commands
+import deltacal_gen as dc
 from deltacal_gen.errors import InputError
 from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import read_robot, robot_to_dict, robot_to_toml
@@ -51,7 +51,7 @@ def cell(tmp_path_factory: pytest.TempPathFactory) -> Path:
     np.savetxt(folder / "poses.csv", table, delimiter=",", header=header, comments="")
     (folder / "poses.toml").write_text('[measurement]\nkind = "pose"\nframe = "unknown"\nsigma_deg = 0.002\n')
     how = {"truth": folder / "truth.toml", "noise": 0.01, "seed": 3}
-    commands.simulate(folder / "robot.toml", folder / "poses.csv", folder / "read.csv", **how)
+    dc.simulate(folder / "robot.toml", folder / "poses.csv", output=folder / "read.csv", **how)
     return folder
 
 
@@ -67,8 +67,8 @@ def test_its_file_and_its_recording_count_each_joint_in_its_own_unit(cell: Path)
 
 
 def test_play_is_found_in_degrees_where_it_turns_and_in_mm_where_it_slides(cell: Path) -> None:
-    found = commands.diagnose(
-        cell / "robot.toml", cell / "read.csv", cell / "diagnosis.json", report=cell / "page.html"
+    found = dc.diagnose(
+        cell / "robot.toml", cell / "read.csv", output=cell / "diagnosis.json", report=cell / "page.html"
     )
     assert found["verdict"] == "missing_physics"
     (effect,) = found["effects"]
@@ -79,10 +79,10 @@ def test_play_is_found_in_degrees_where_it_turns_and_in_mm_where_it_slides(cell:
         assert stated == unit
         assert abs(value - true) < 4 * std
     assert found["final"]["train_rms_mm"] == pytest.approx(0.01, rel=0.1)
-    commands.predict(cell / "diagnosis.json", cell / "read.csv", cell / "predicted.csv")
+    dc.predict(cell / "diagnosis.json", cell / "read.csv", output=cell / "predicted.csv")
     predicted, read = (np.genfromtxt(cell / f, delimiter=",", names=True) for f in ("predicted.csv", "read.csv"))
     assert np.sqrt(np.mean([(predicted[a] - read[a]) ** 2 for a in ("x_mm", "y_mm", "z_mm")])) < 0.012
-    corrected = commands.compensate(cell / "diagnosis.json", cell / "poses.csv")
+    corrected = dc.compensate(cell / "diagnosis.json", cell / "poses.csv")
     q = np.loadtxt(cell / "poses.csv", delimiter=",", skiprows=1)[:, :4]
     assert 0.02 < np.abs(corrected - q)[:, 2].max() < 5
 
@@ -95,7 +95,7 @@ def test_four_joints_meet_the_position_and_turn_as_far_as_they_can(cell: Path) -
     inside = [r for r in rows[1:] if abs(float(r.split(",")[1])) < 120 and 10 < float(r.split(",")[2]) < 170]
     (cell / "program.csv").write_text("\n".join([rows[0], *inside]) + "\n")
     q = np.array([[float(v) for v in r.split(",")[:4]] for r in inside])
-    joints = commands.compensate(result, cell / "program.csv", tell=told.append)
+    joints = dc.compensate(result, cell / "program.csv", tell=told.append)
     wanted = Compensator(scara()).pose(q * FACTORS)[0]
     missed = Compensator(drawn).missed(joints * FACTORS, wanted)
     assert np.abs(missed[:, :3]).max() < 1e-8
@@ -104,7 +104,7 @@ def test_four_joints_meet_the_position_and_turn_as_far_as_they_can(cell: Path) -
 
 
 def test_joints_are_planned_within_limits_of_both_kinds(cell: Path) -> None:
-    found = commands.plan(cell / "robot.toml", "serial/dh", cell / "plan.csv", kind="pose")
+    found = dc.plan(cell / "robot.toml", model="serial/dh", output=cell / "plan.csv", kind="pose")
     joints = np.array([pose["joints"] for pose in found["poses"]])
     assert ((joints >= LOW) & (joints <= HIGH)).all()
     assert found["rank"][-1] == len(found["parameters"])

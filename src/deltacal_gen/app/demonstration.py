@@ -47,7 +47,9 @@ def run(folder: Path, progress: Callable[[str], None]) -> Demo:
         for name in ("result.json", "diagnosis.json", "diagnosis.html", "diagnosis.svg", "calibrated.toml", "command.c")
     }
     result = identify(robot, recording, output=files["result.json"], progress=progress)
-    found = diagnose(robot, recording, files["diagnosis.json"], report=files["diagnosis.html"], progress=progress)
+    found = diagnose(
+        robot, recording, output=files["diagnosis.json"], report=files["diagnosis.html"], progress=progress
+    )
     progress("picture")
     figures.write(found, files["diagnosis.svg"])
     progress("compensator")

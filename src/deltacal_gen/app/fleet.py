@@ -20,8 +20,8 @@ from functools import partial
 from pathlib import Path
 from typing import Any, cast
 
+from deltacal_gen.app.commands.assess import validate
 from deltacal_gen.app.commands.calibration import diagnose, identify
-from deltacal_gen.app.commands.use import validate
 from deltacal_gen.app.moved import moved
 from deltacal_gen.app.tasks import RECORDING, ROBOT, Contents, laid_out
 from deltacal_gen.errors import DeltacalError, InputError, UsageError
@@ -195,7 +195,7 @@ def _machine_of(label: str, pattern: str | None) -> str:
     try:
         match = None if pattern is None else re.search(pattern, path)
     except re.error as error:
-        raise UsageError(f"--machine is no regular expression: {error}.") from None
+        raise UsageError(f"--group-by is no regular expression: {error}.") from None
     name = match[0] if match else Path(path).parent.as_posix()
     return f"{name} {part}" if part not in ("", "recording") else name
 
@@ -265,12 +265,12 @@ def do(action: str, model: str | None, files: Contents) -> Json:
         if action == "validate":
             return _with_figures(validate(folder / RESULT, recording))
         if action == "identify":
-            return _with_figures(identify(robot, recording, model))
+            return _with_figures(identify(robot, recording, model=model))
         found = diagnose(robot, recording, model=model)
         # else what is left out would be taken for parts that moved
         if found.verdict is Verdict.ADEQUATE and not moving:
             with suppress(DeltacalError):
-                calibrated = identify(robot, recording, model)
+                calibrated = identify(robot, recording, model=model)
                 geometry = Geometry(robot=calibrated.robot, parameters=calibrated.parameters)
                 found = found.replace(geometry=geometry)
         return _with_figures(found)

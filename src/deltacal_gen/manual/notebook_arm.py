@@ -36,7 +36,7 @@ print(len(result.unidentifiable), "open;", result.unidentifiable[0].text)
 
 # %%
 poses, truth = f"{folder}/poses.csv", f"{folder}/truth.toml"
-dc.simulate(f"{folder}/robot.toml", poses, "other_day.csv", truth=truth, noise=0.02, seed=8)
+dc.simulate(f"{folder}/robot.toml", poses, output="other_day.csv", truth=truth, noise=0.02, seed=8)
 validation = dc.validate(result, "other_day.csv")
 print(validation.headline)
 

@@ -5,6 +5,9 @@ from __future__ import annotations
 from typing import Literal, get_args
 
 from deltacal_gen.results.base import Answer, Value
+from deltacal_gen.results.document import Document, Table, Text
+
+SHOWN = 8  # parameters of a model that stand in a line
 
 Status = Literal["proved", "verified", "loose", "contradicted", "convention-dependent", "not reproducible", "undecided"]
 STATUSES: tuple[str, ...] = get_args(Status)  # of claims
@@ -43,6 +46,25 @@ class MechanismEntry(Answer):
     parameters: tuple[SourceError, ...]
     geometry: tuple[Dimension, ...]
 
+    def document(self) -> Document:
+        """Yield its models and its parameters."""
+        yield Text(f": {self.title} ({self.reference})", self.mechanism)
+        yield Table(("model", "parameters"), [(name, _first_and_last(names)) for name, names in self.models.items()])
+        yield Table(("parameter", "unit", "meaning"), [(p.name, p.unit, p.meaning) for p in self.parameters])
+
+
+class Mechanisms(tuple[MechanismEntry, ...]):
+    """What `models` answers."""
+
+    def document(self) -> Document:
+        """Yield each in turn."""
+        for each in self:
+            yield from each.document()
+
+
+def _first_and_last(names: tuple[str, ...]) -> str:
+    return " ".join(names) if len(names) <= SHOWN else f"{' '.join(names[: SHOWN - 2])} ... {names[-1]}"
+
 
 class EffectUnknown(Value):
     """A coefficient or constant of an effect."""
@@ -64,6 +86,25 @@ class EffectEntry(Answer):
     reads: tuple[str, ...]
     moves: tuple[str, ...]
 
+    def document(self) -> Document:
+        """Yield what it is, what it depends on, and its parameters."""
+        yield Text(f": {self.title}", self.effect)
+        yield Text(f"depends on {', '.join(self.reads) or 'nothing that is recorded'}; moves {', '.join(self.moves)}")
+        rows = [(p.name, p.unit, p.meaning, "by search" if p.searched else "linear") for p in self.parameters]
+        yield Table(("parameter", "unit", "meaning", "estimated"), rows)
+
+
+class Effects(tuple[EffectEntry, ...]):
+    """What `effects` answers."""
+
+    def document(self) -> Document:
+        """Yield them in a table, or the one that there is in full."""
+        if len(self) == 1:
+            yield from self[0].document()
+            return
+        rows = [(e.effect, e.title, ", ".join(f"{p.name} [{p.unit}]" for p in e.parameters)) for e in self]
+        yield Table(("effect", "what it is", "parameters"), rows)
+
 
 class ClaimEntry(Answer):
     """A claim of a paper, and what became of it."""
@@ -84,3 +125,32 @@ class ClaimEntry(Answer):
     """How the test ended when it last ran, when, and with which sources; empty where it never ran."""
     measured: tuple[str, ...]
     """Its first figures."""
+
+    def document(self) -> Document:
+        """Yield where it stands and what became of it, and what decides it."""
+        yield Text(f"  {self.status}", self.where)
+        lines = {
+            "": self.statement,
+            "printed": self.printed,
+            "correct": "the same" if self.printed == self.correct else self.correct,
+            "evidence": self.evidence,
+            "derived": self.decided or "no: typed, and decided by its test",
+            "test": self.test,
+            "ended": self.ended,
+            "measured": "\n".join(self.measured),
+        }
+        yield Table(("", ""), [(head, line) for head, line in lines.items() if line])
+
+
+class Claims(tuple[ClaimEntry, ...]):
+    """What `claims` answers."""
+
+    def document(self) -> Document:
+        """Yield the claims of each paper, and how many have which status."""
+        papers = {name: [c for c in self if c.paper == name] for name in dict.fromkeys(c.paper for c in self)}
+        for entries in papers.values():
+            yield Text("", entries[0].title)
+            for claim in entries:
+                yield from claim.document()
+        counts = [(s, *(str(sum(c.status == s for c in own)) for own in papers.values())) for s in STATUSES]
+        yield Table(("status", *papers), [*counts, ("all", *(str(len(own)) for own in papers.values()))])

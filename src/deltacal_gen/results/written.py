@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import Literal
 
 from deltacal_gen.results.base import Answer, Rows, Value
-from deltacal_gen.results.document import Document, Table, Text, decimals
+from deltacal_gen.results.document import Document, Table, Text, decimals, number
 
 
 class Simulated(Answer):
@@ -16,6 +16,14 @@ class Simulated(Answer):
     recording: str
     readings: int
     kind: str | None = None
+    noise: str | None = None
+    """In words, where it is not that of lengths alone."""
+
+    def document(self) -> Document:
+        """Yield how many readings there are, and their noise."""
+        yield Text(f"{self.readings} readings of the kind {self.kind}")
+        if self.noise is not None:
+            yield Text(self.noise)
 
 
 class Matrix(Answer):
@@ -33,6 +41,16 @@ class Matrix(Answer):
     """In motion: the combinations of inertial parameters that the samples know."""
     unidentifiable: tuple[str, ...] | None = None
     """In motion: what they do not know, in words."""
+
+    def document(self) -> Document:
+        """Yield its size and rank, and in motion what the samples determine."""
+        yield Text(
+            f"H {self.rows} x {self.columns}, rank {self.rank}, condition {number(self.condition)} "
+            f"(scaling {self.scaling})"
+        )
+        for name in ("combinations", "unidentifiable"):
+            if (words := getattr(self, name)) is not None:
+                yield Text(f"{name}: {'; '.join(words)}", level=1)
 
 
 class FirmwareLeft(Value):
@@ -104,11 +122,18 @@ class Joints(Answer):
     assumed: tuple[str, ...]
     """What was assumed where a channel was not given."""
     firmware: FirmwareLines | None = None
+    file: str | None = None
 
     def document(self) -> Document:
-        """Yield the lines of a firmware if there are any, and what was assumed."""
+        """Yield what was exported, or the commands where no file holds them, and what was assumed."""
         if self.firmware is not None:
             yield from self.firmware.document()
+        elif self.export is not None:
+            yield Text(f"{self.kind} compensator; its error is stated in the file")
+        elif self.file is not None:
+            yield Text(f"{len(self.joints)} commands")
+        else:
+            yield from (Text("  ".join(f"{v:12.6f}" for v in row)) for row in self.joints)
         yield from (Text(words, level=1) for words in self.assumed)
 
 
@@ -124,6 +149,18 @@ class FedForward(Answer):
     units: tuple[str, ...]
     told: tuple[str, ...]
     """What was assumed, and what is beyond limits."""
+    file: str | None = None
+
+    def document(self) -> Document:
+        """Yield the commands where no file holds them, what was assumed and what is beyond limits."""
+        if self.file is not None:
+            yield Text(f"{len(self.torques)} samples with joints and torques")
+        else:
+            yield from (
+                Text("  ".join(f"{v:12.6f}" for v in (*q, *torque)))
+                for q, torque in zip(self.joints, self.torques, strict=True)
+            )
+        yield from (Text(words, level=1) for words in self.told)
 
 
 class Predicted(Answer):
@@ -134,6 +171,11 @@ class Predicted(Answer):
     kind: str | None = None
     readings: int
     told: tuple[str, ...]
+
+    def document(self) -> Document:
+        """Yield how many readings are predicted, and what is to be known of them."""
+        yield Text(f"{self.readings} readings of the kind {self.kind} predicted")
+        yield from map(Text, self.told)
 
 
 class Asked(Value):
@@ -209,12 +251,22 @@ class Imported(Answer):
     recordings: tuple[str, ...]
     warnings: tuple[str, ...]
 
+    def document(self) -> Document:
+        """Yield what was written, and what to know before using it."""
+        names = ", ".join([*([self.robot] if self.robot else []), *self.recordings])
+        yield Text(f"{names} written to {self.folder}")
+        yield from (Text(words, "warning: ") for words in self.warnings)
+
 
 class Derivation(Answer):
     """Pages of `derivation`."""
 
     schema: Literal["deltacal.derivation/1"] = "deltacal.derivation/1"
     files: tuple[str, ...]
+
+    def document(self) -> Document:
+        """Yield which file to open."""
+        yield Text(f"{len(self.files)} file{'s' if len(self.files) > 1 else ''}; open {self.files[0]}")
 
 
 class Reproduction(Answer):
@@ -225,6 +277,28 @@ class Reproduction(Answer):
     remade: tuple[str, ...]
     """Tables and figures, by their numbers in the paper."""
 
+    def document(self) -> Document:
+        """Yield which file to open."""
+        yield Text(f"{len(self.remade)} tables and figures remade; open {self.files[0]}")
+
+
+class Kernels(Answer):
+    """What `kernels` did."""
+
+    schema: Literal["deltacal.kernels/1"] = "deltacal.kernels/1"
+    done: bool
+    """Whether the derivation went well, and under --check gave the committed kernels."""
+    seconds: dict[str, float] | None = None
+    """Of what was compiled ahead."""
+    trial: str | None = None
+    """How a machine of the derived kernels does, in words."""
+
+    def document(self) -> Document:
+        """Yield the time of each kernel, or what the trial says."""
+        yield from (Text(f"{seconds:7.2f} s  {name}") for name, seconds in (self.seconds or {}).items())
+        if self.trial is not None:
+            yield Text(self.trial)
+
 
 class Manual(Answer):
     """A page of `manual`, or the examples that it copied."""
@@ -232,5 +306,5 @@ class Manual(Answer):
     schema: Literal["deltacal.manual/1"] = "deltacal.manual/1"
     topic: str
     text: str | None
-    """Markdown; null where examples were copied and no topic was asked for."""
+    """Markdown; null where examples were copied and no topic was given."""
     files: tuple[str, ...]

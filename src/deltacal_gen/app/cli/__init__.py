@@ -1,10 +1,10 @@
-"""The ``deltacal`` command: arguments in, tables and exit codes out; no computation lives here.
+"""The ``deltacal`` command: functions of the package, with their docstrings as the help.
 
 Exit codes: 0 done; 1 done, and the answer is no; 2 usage; 3 bad input; 4 no convergence or no solution; 70 a fault of
 ours; 130 stopped from the keyboard.
 
-A module holds the commands that a reader looks for together; the function behind each is in the module of the same
-name in `commands`. `common` is what they share.
+`table` says which commands there are, `signatures` what each takes, `application` how it is run and `terminal` what is
+seen of it. No computation lives here.
 """
 
 from __future__ import annotations
@@ -13,114 +13,63 @@ import io
 import os
 import sys
 import traceback
-from collections.abc import Callable
-from functools import cache, wraps
-from pathlib import Path
-from typing import Annotated, Any
+from typing import Any, NoReturn
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # the matrices are small: threads only wait for one another
 
-import typer
+from cyclopts import CycloptsError, UnknownOptionError
 
-from deltacal_gen.app.cli import calibration, common, experiments, guide, many, model_side, sources, use
-from deltacal_gen.errors import DeltacalError, UsageError
+from deltacal_gen.app.cli.application import application
+from deltacal_gen.app.cli.table import RENAMED
+from deltacal_gen.app.cli.terminal import Terminal
+from deltacal_gen.errors import DeltacalError, InputError, UsageError
 from deltacal_gen.version import __version__
 
 FAULT = 70  # EX_SOFTWARE of sysexits.h
 STOPPED = 130  # by SIGINT, as shells say it
 TRACEBACK = "DELTACAL_TRACEBACK"  # environment variable: faults are shown in full
 
-app = typer.Typer(
-    name="deltacal",
-    help="Calibrate parallel robots with models that are derived, not typed.",
-    no_args_is_help=True,
-    add_completion=False,
-    pretty_exceptions_enable=False,
-    context_settings={"help_option_names": ["-h", "--help"]},
-)
-_COMMANDS: dict[str, Callable[..., None]] = {  # in the order of the help
-    "demo": guide.demo,
-    "kernels": model_side.kernels,
-    "derivation": model_side.derivation,
-    "models": model_side.models,
-    "claims": model_side.claims,
-    "reproduce": model_side.reproduce,
-    "plan": experiments.plan,
-    "simulate": experiments.simulate,
-    "identify": calibration.identify,
-    "diagnose": calibration.diagnose,
-    "next": experiments.next_,
-    "effects": model_side.effects,
-    "matrix": calibration.matrix,
-    "compensate": use.compensate,
-    "predict": use.predict,
-    "validate": use.validate,
-    "certificate": use.certificate,
-    "compare": use.compare,
-    "import": sources.import_,
-    "study": many.study,
-    "batch": many.batch,
-    "manual": guide.manual,
-}
 
-
-def _one_output(command: Callable[..., None]) -> Callable[..., None]:
-    """Return a command that refuses to print its JSON and a file to one standard output, which no script could part."""
-
-    @wraps(command)
-    def run(**given: Any) -> None:
-        if given.get("as_json"):
-            from deltacal_gen.files.writing import is_standard_output
-
-            if any(isinstance(value, Path) and is_standard_output(value) for value in given.values()):
-                raise UsageError("--json and a file would both go to the standard output; leave one of them out.")
-        command(**given)
-
-    return run
-
-
-for _name, _command in _COMMANDS.items():
-    app.command(_name)(_one_output(_command))
-
-
-def _version(asked: bool) -> None:
-    if asked:
-        common.screen.print(f"deltacal {__version__}")
-        raise typer.Exit
-
-
-@app.callback()
-def _options(
-    version: Annotated[
-        bool, typer.Option("--version", callback=_version, is_eager=True, help="Say which version this is and exit.")
-    ] = False,
-) -> None:
-    """Calibrate parallel robots with models that are derived, not typed."""
-
-
-def main() -> None:
+def main() -> NoReturn:
     """Run the command line; an explained error ends with its own exit code and no traceback."""
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="replace")  # a letter that the screen's code page has not is no fault
+    sys.exit(_code(sys.argv[1:]))
+
+
+def _code(words: list[str]) -> int:
+    """Run the words of a command line; return the exit code."""
+    if words[:1] == ["help"]:
+        words = [*words[1:], "--help"]
+    terminal = Terminal(as_json="--json" in words)
     try:
-        _tree()()
+        code = application(words)(words or ["--help"], exit_on_error=False, print_error=False)
+        return (code or 0) if words else UsageError.exit_code
+    except CycloptsError as error:
+        terminal.fail("error", _misused(error, words), exit_code=UsageError.exit_code)
+        return UsageError.exit_code
     except DeltacalError as error:
-        common.aside.print(f"[bold red]error:[/bold red] {common.escaped(str(error))}", soft_wrap=True)
-        sys.exit(error.exit_code)
+        where: dict[str, Any] = {}
+        if isinstance(error, InputError):
+            where = {"file": error.file and str(error.file), "line": error.line, "column": error.column}
+        terminal.fail("error", str(error), exit_code=error.exit_code, **where)
+        return error.exit_code
     except KeyboardInterrupt:
-        sys.exit(STOPPED)
+        return STOPPED
     except Exception as error:
-        if os.environ.get(TRACEBACK):
+        if os.environ.get(TRACEBACK) or "--verbose" in words:
             traceback.print_exception(error)
-        common.aside.print(f"[bold red]fault:[/bold red] {common.escaped(_fault(error))}", soft_wrap=True)
-        sys.exit(FAULT)
+        terminal.fail("fault", _fault(error), exit_code=FAULT)
+        return FAULT
 
 
-@cache
-def _tree() -> Any:
-    """Return all commands with their options, made once for a program that runs several."""
-    return typer.main.get_command(app)
+def _misused(error: CycloptsError, words: list[str]) -> str:
+    """Return in words what is wrong with a command line, and where the help is."""
+    command = words[0] if words and not words[0].startswith("-") else ""
+    if isinstance(error, UnknownOptionError) and (new := RENAMED.get(command, {}).get(error.token.keyword or "")):
+        return f"{error.token.keyword} of {command} is now called {new}."
+    return f"{' '.join(str(error).split())} See: deltacal {command} --help"
 
 
 def _fault(error: Exception) -> str:

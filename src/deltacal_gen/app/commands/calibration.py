@@ -5,14 +5,9 @@ from __future__ import annotations
 import dataclasses
 import io
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar, cast
+from typing import TYPE_CHECKING, Any, Literal, TypeVar, cast
 
-import numpy as np
-
-from deltacal_gen.app.commands.clocks import set_in_time, with_clock
 from deltacal_gen.app.commands.common import (
-    AnyRecording,
-    AnyRobot,
     Progress,
     Source,
     as_recording,
@@ -24,19 +19,17 @@ from deltacal_gen.app.commands.common import (
     silent,
     write_json,
 )
-from deltacal_gen.files.robot import for_model
-from deltacal_gen.files.writing import write_files
-from deltacal_gen.machine.registry import mechanism_of
-from deltacal_gen.results.reader import Given
-from deltacal_gen.results.result import Firmware, Result
 
 if TYPE_CHECKING:
+    from deltacal_gen.app.commands.common import AnyRecording, AnyRobot
     from deltacal_gen.estimation.solvers import Solver
     from deltacal_gen.identification.answer import Identification
     from deltacal_gen.machine.values import Robot
     from deltacal_gen.motion.kinds import Torque
     from deltacal_gen.results.diagnosis import Diagnosis
     from deltacal_gen.results.motion import MotionDiagnosis, MotionResult
+    from deltacal_gen.results.reader import Given
+    from deltacal_gen.results.result import Firmware, Result
 
 InMotion = TypeVar("InMotion", "MotionResult", "MotionDiagnosis")
 
@@ -44,47 +37,51 @@ InMotion = TypeVar("InMotion", "MotionResult", "MotionDiagnosis")
 def identify(
     robot: AnyRobot,
     recording: AnyRecording,
-    model: str | int | None = None,
-    output: Source | None = None,
     *,
+    model: str | int | None = None,
     as_distance: bool = False,
-    solver: str | Solver = "prior",
+    method: str | Solver = "prior",
     truncation: int | str = "gcv",
     robust: bool = True,
     physics: Given | None = None,
+    output: Source | None = None,
     report: Source | None = None,
     progress: Progress = silent,
 ) -> Result:
-    """Identify a robot's source errors from a recording.
+    """Identify the errors of a machine from a recording.
+
+    Of a recording in motion (kind torque) these are the base parameters of the rigid machine.
 
     Parameters
     ----------
-    robot : path or Robot
-        Its file, or ``result.robot`` of an answer.
+    robot : path, Robot or RobotTables
+        Robot file (TOML).
     recording : path, data frame or Recording
-        Joints and readings [mm, deg]; of a file its sidecar is read too.
+        Joints and readings (CSV), with the sidecar beside it.
     model : str or int, optional
-        ``"delta/32"``, ``"32"`` or 32; the mechanism's largest where it is not given.
+        Parameters to identify: delta/32 or 32; default the mechanism's largest.
+    as_distance : bool
+        Use the distances of all pairs of positions: the instrument's frame drops out.
+    method : str or Solver
+        Rule for what the readings hardly determine: prior, least-squares, tsvd or ridge.
+    truncation : int or str
+        Of method tsvd: a number of singular values, gcv or discrepancy.
+    robust : bool
+        Give outliers little weight.
+    physics : path or Diagnosis, optional
+        DIAGNOSIS.json whose effects are held while geometry and frame are fitted again: another session of a diagnosed
+        machine.
     output : path, optional
         RESULT.json.
-    as_distance : bool
-        Fit the distances of all pairs of positions instead: the instrument's frame drops out.
-    solver, truncation, robust
-        See `identification.identify`: ``"prior"``, ``"tsvd"``, ``"ridge"``, ``"least-squares"`` or an object.
-    physics : path or mapping, optional
-        A DIAGNOSIS.json whose effects are held while geometry and frame are refitted: how a diagnosis carries to
-        another session; `continued` says what these readings tell further of periodic errors. Source errors that the
-        model leaves out are held too. `never_seen` says which joints stand where the diagnosis never was.
     report : path, optional
-        One self-contained HTML page of the same.
+        Page to read (.html).
     progress : callable
-        Told in words what is done at the moment.
+        Called with what is being done.
 
     Returns
     -------
     Result
-        Of a recording in motion (kind torque) a `results.motion.MotionResult`: the rigid machine's base parameters,
-        see `motion.identification`.
+        Of a recording in motion a `results.motion.MotionResult`.
 
     Raises
     ------
@@ -92,10 +89,15 @@ def identify(
         A file, or data frame, that cannot be used, with its line, column and the remedy; an output that cannot be
         written.
     UsageError
-        An unknown model, solver or truncation; an option that means nothing for this recording.
+        An unknown model, method or truncation; an option that means nothing for this recording.
     NoSolutionError
         Readings that contradict each other, or that no machine like this one gives.
+
+    Examples
+    --------
+    deltacal identify robot.toml recording.csv --model delta/32 -o result.json
     """
+    from deltacal_gen.app.commands.clocks import set_in_time, with_clock
     from deltacal_gen.diagnosis import spectrum
     from deltacal_gen.identification import carried, identification
     from deltacal_gen.use import firmware
@@ -107,7 +109,7 @@ def identify(
     check_output(output, robot, recording, physics)
     check_output(report, robot, recording, physics, output)
     if (moving := in_motion(recording)) is not None:
-        refuse_in_motion(**{"as distance": as_distance, "physics": physics})
+        refuse_in_motion(as_distance=as_distance, physics=physics)
         return cast("Result", _finished(moving.identify(as_robot(robot), model), output, report, robot, recording))
     diagnosis, files = None if physics is None else known_diagnosis(physics), (robot, recording, physics)
     robot, held = as_robot(robot), [] if diagnosis is None else known_effects(diagnosis)
@@ -117,7 +119,7 @@ def identify(
         given if diagnosis is None else dataclasses.replace(given, begun=diagnosis.begun_s),
         model,
         as_distance=as_distance,
-        solver=solver,
+        solver=method,
         truncation=truncation,
         robust=robust,
         held=held if given.time_s is not None else [t.afterwards() for t in held],
@@ -130,7 +132,7 @@ def identify(
         known = firmware.FROM_HEIGHTS if given.pairs is None else firmware.MODEL
         if found.model != firmware.MODEL and firmware.exceeded_by(found.model):
             progress(f"what firmware would fit: {known}")
-            of_firmware = identification.identify(robot, given, known, solver=solver, robust=robust).answer()
+            of_firmware = identification.identify(robot, given, known, solver=method, robust=robust).answer()
             found = found.replace(firmware=_as_firmware(of_firmware))
     if diagnosis is not None and found.continued is None:
         found = found.replace(never_seen=spectrum.never_seen(diagnosis.seen, robot.joint_sign * given.joints))
@@ -144,6 +146,7 @@ def identify(
 
 def _write_page(found: Result, fitted: Identification, report: Source) -> None:
     """Write the page of a result."""
+    from deltacal_gen.files.writing import write_files
     from deltacal_gen.pages import report as page
     from deltacal_gen.pages.left import left_by
 
@@ -152,6 +155,8 @@ def _write_page(found: Result, fitted: Identification, report: Source) -> None:
 
 def _as_firmware(found: Result) -> Firmware:
     """Return what of a fit of a firmware's own model stands beside a larger one's."""
+    from deltacal_gen.results.result import Firmware
+
     return Firmware(
         model=found.model,
         train_rms_mm=found.train_rms_mm,
@@ -166,6 +171,7 @@ def _finished(found: InMotion, output: Source | None, report: Source | None, *fi
     if output is not None:
         write_json(found, output)
     if report is not None:
+        from deltacal_gen.files.writing import write_files
         from deltacal_gen.pages import motion as page
 
         write_files({Path(report): page.motion(found)})
@@ -175,44 +181,54 @@ def _finished(found: InMotion, output: Source | None, report: Source | None, *fi
 def diagnose(
     robot: AnyRobot,
     recording: AnyRecording,
-    output: Source | None = None,
     *,
-    model: str | None = None,
+    model: str | int | None = None,
+    output: Source | None = None,
     report: Source | None = None,
     write_effect: Source | None = None,
     progress: Progress = silent,
 ) -> Diagnosis:
-    """Find where model and recording differ, and which physics was left out.
+    """Find where model and recording differ, and which physics is missing.
+
+    Of a recording in motion (kind torque) this is the friction of every joint.
 
     Parameters
     ----------
-    robot, recording
-        As of `identify`.
+    robot : path, Robot or RobotTables
+        Robot file (TOML).
+    recording : path, data frame or Recording
+        Joints and readings (CSV), with the sidecar beside it.
+    model : str or int, optional
+        Geometry that is fitted with everything; default the mechanism's largest.
     output : path, optional
         DIAGNOSIS.json.
-    model : str, optional
-        The geometry that is fitted beside everything, the mechanism's largest where it is not given.
     report : path, optional
-        One self-contained HTML page of the same.
+        Page to read (.html).
     write_effect : path, optional
-        NAME.py, an effect file of a law that nobody has registered, for ``derive/effects``; without a law it is not
-        written.
+        NAME.py: the empirical model that was found as a file of an effect, for derive/effects. Without one nothing is
+        written, and the exit code is 1.
     progress : callable
-        Told in words what is done at the moment.
+        Called with what is being done.
 
     Returns
     -------
     Diagnosis
-        Of a recording in motion (kind torque) a `results.motion.MotionDiagnosis`: the friction of every joint, see
-        `motion.diagnosis`.
+        Of a recording in motion a `results.motion.MotionDiagnosis`.
 
     Raises
     ------
     InputError, UsageError, NoSolutionError
         As `identify`.
+
+    Examples
+    --------
+    deltacal diagnose robot.toml recording.csv -o diagnosis.json --report diagnosis.html
     """
+    from deltacal_gen.app.commands.clocks import set_in_time, with_clock
     from deltacal_gen.diagnosis import diagnosis
     from deltacal_gen.diagnosis.laws.effect_file import effect_file, effect_name
+    from deltacal_gen.files.writing import write_files
+    from deltacal_gen.machine.registry import mechanism_of
     from deltacal_gen.use.prediction import known_effects
 
     check_output(output, robot, recording)
@@ -251,25 +267,49 @@ def diagnose(
 def matrix(
     robot: AnyRobot,
     recording: AnyRecording,
-    model: str | int,
-    output: Source | None = None,
     *,
+    model: str | int,
     as_distance: bool = False,
-    scaling: str = "file",
+    scaling: Literal["file", "paper", "table", "typical"] = "file",
+    output: Source | None = None,
 ) -> dict[str, Any]:
-    """Return the identification matrix: H (rows, n), r (rows,) [mm], names, units, scaling; `output` is an .npz.
+    """Write the identification matrix itself.
 
-    Of a recording in motion (kind torque) it is the regressor of the rigid machine, see `motion.matrix`: Nm or N per
-    unit of the inertial parameters, with joint and line of each row, base parameters with the combinations that they
-    are, and in words what these samples do not know (``base``, ``combinations``, ``unidentifiable``).
+    The arrays are H (rows, parameters), r (rows) [mm], names, units and scaling. Of a recording in motion (kind torque)
+    H is the regressor of the rigid machine, in Nm or N per unit of the inertial parameters, with joint and line of each
+    row, the base parameters (base, combinations) and what the samples do not determine (unidentifiable).
+
+    Parameters
+    ----------
+    robot : path, Robot or RobotTables
+        Robot file (TOML).
+    recording : path, data frame or Recording
+        Joints and readings (CSV), with the sidecar beside it.
+    model : str or int
+        Parameters of the columns: delta/32 or 32.
+    as_distance : bool
+        Use the distances of all pairs of positions: the instrument's frame drops out.
+    scaling : {"file", "paper", "table", "typical"}
+        Of the columns: as in files (mm, deg), as in the paper's equations, as in its tables, or by typical errors.
+    output : path, optional
+        FILE.npz.
+
+    Examples
+    --------
+    deltacal matrix robot.toml recording.csv --model delta/36 --as distance -o matrix.npz
     """
+    import numpy as np
+
     from deltacal_gen.estimation.problem import pose_problem
+    from deltacal_gen.files.robot import for_model
+    from deltacal_gen.files.writing import write_files
     from deltacal_gen.identification.identifiability import identification_matrix
+    from deltacal_gen.machine.registry import mechanism_of
 
     check_output(output, robot, recording, ending=(".npz",))
     model = str(model)
     if (moving := in_motion(recording)) is not None:
-        refuse_in_motion(**{"as distance": as_distance, "scaling": scaling != "file"})
+        refuse_in_motion(as_distance=as_distance, scaling=scaling != "file")
         arrays = _regressor(as_robot(robot), moving, model)
     else:
         robot = for_model(as_robot(robot), model)
@@ -292,6 +332,8 @@ def matrix(
 
 def _regressor(robot: Robot, moving: Torque, model: str) -> dict[str, Any]:
     """Return the arrays of a recording in motion."""
+    import numpy as np
+
     from deltacal_gen.motion.identification import rigid_model
 
     rigid_model(robot, model)

@@ -1,4 +1,8 @@
-"""What commands share: their inputs read or taken as they are, their outputs checked and written."""
+"""What commands share: their inputs read or taken as they are, their outputs checked and written.
+
+Modules of commands import at their top what starts at once; what reads and computes is imported by what needs it, so
+that the help of a command is there before NumPy would be.
+"""
 
 from __future__ import annotations
 
@@ -7,46 +11,40 @@ import os
 import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 from deltacal_gen.errors import InputError, UsageError
-from deltacal_gen.files.columns import distances_path, instrument_path
-from deltacal_gen.files.recording import read_recording, recording_of
-from deltacal_gen.files.robot import Robot, read_robot, robot_of
-from deltacal_gen.files.writing import is_stream, write_files
-from deltacal_gen.machine.registry import mechanism_of
-from deltacal_gen.machine.values import Recording
-from deltacal_gen.results.parts import InputFile, Made, RobotTables
 from deltacal_gen.version import __version__
 
 if TYPE_CHECKING:
+    from typing import Protocol
+
+    from deltacal_gen.machine.values import Recording, Robot
     from deltacal_gen.motion.kinds import Torque
     from deltacal_gen.results.base import Answer
+    from deltacal_gen.results.parts import Made, RobotTables
+
+    class Frame(Protocol):
+        """A data frame of pandas; it need not be installed."""
+
+        @property
+        def columns(self) -> Any:
+            """Names of its columns."""
+
+        def __getitem__(self, key: Any, /) -> Any: ...
+
+    class MakesFrame(Protocol):
+        """What makes a data frame, as a data set of xarray does."""
+
+        def to_dataframe(self) -> Any:
+            """Return the data frame."""
+
+    AnyRobot = str | Path | Robot | RobotTables
+    AnyRecording = str | Path | Recording | Frame | MakesFrame
 
 Source = str | Path
-PICTURES = (".svg", ".png", ".pdf")
-
-
-class Frame(Protocol):
-    """A data frame of pandas; it need not be installed."""
-
-    @property
-    def columns(self) -> Any:
-        """Names of its columns."""
-
-    def __getitem__(self, key: Any, /) -> Any: ...
-
-
-class MakesFrame(Protocol):
-    """What makes a data frame, as a data set of xarray does."""
-
-    def to_dataframe(self) -> Any:
-        """Return the data frame."""
-
-
-AnyRobot = str | Path | Robot | RobotTables
-AnyRecording = str | Path | Recording | Frame | MakesFrame
 Progress = Callable[[str], None]
+PICTURES = (".svg", ".png", ".pdf")
 
 
 def silent(text: str) -> None:
@@ -61,6 +59,10 @@ def untold(done: int, total: int, label: str) -> None:
 
 def as_robot(robot: AnyRobot) -> Robot:
     """Return a robot: read from its file, or as an answer holds it (``result.robot``), or as it is."""
+    from deltacal_gen.files.robot import read_robot, robot_of
+    from deltacal_gen.machine.values import Robot
+    from deltacal_gen.results.parts import RobotTables
+
     if isinstance(robot, RobotTables):
         return robot_of(robot)
     return robot if isinstance(robot, Robot) else read_robot(robot)
@@ -68,6 +70,10 @@ def as_robot(robot: AnyRobot) -> Robot:
 
 def as_recording(recording: AnyRecording, robot: Robot, **how: Any) -> Recording:
     """Return a recording: read from its file, or made of a data frame, or as it is."""
+    from deltacal_gen.files.recording import read_recording, recording_of
+    from deltacal_gen.machine.registry import mechanism_of
+    from deltacal_gen.machine.values import Recording
+
     if isinstance(recording, Recording):
         return recording
     if not isinstance(recording, str | Path):
@@ -82,15 +88,30 @@ def in_motion(recording: object) -> Torque | None:
     return kinds.in_motion(recording)
 
 
+def moving_like(recording: object) -> Torque:
+    """Return a recording in motion, which a result of one needs; raises InputError where it is none."""
+    found = in_motion(recording)
+    if found is None:
+        raise InputError(
+            "the result is of a recording in motion, and this is none.",
+            'Give one whose sidecar says kind = "torque" under [measurement].',
+            file=recording if isinstance(recording, str | Path) else None,
+        )
+    return found
+
+
 def refuse_in_motion(**options: object) -> None:
     """Raise a UsageError for the first option that means nothing for a recording in motion."""
     for name, value in options.items():
         if value:
-            raise UsageError(f"'{name}' means nothing for a recording in motion; leave it out.")
+            said = name.replace("_", " ")
+            raise UsageError(f"'{said}' means nothing for a recording in motion; leave it out.")
 
 
 def check_output(path: Source | None, *inputs: object, ending: Sequence[str] = ()) -> None:
     """Refuse an output that cannot be written, or that is one of the other files, before anything is computed."""
+    from deltacal_gen.files.writing import is_stream
+
     if path is None:
         return
     target = Path(path)
@@ -113,6 +134,8 @@ def made(*inputs: object, measured: Recording | None = None) -> Made:
     The sidecar of a recording and its distances are files of their own. The date is that of SOURCE_DATE_EPOCH where it
     is set, so that a build can be made again.
     """
+    from deltacal_gen.results.parts import InputFile, Made
+
     files = [path for i in inputs if isinstance(i, str | Path) for path in _with_its_own(Path(i))]
     said = None if measured is None else measured.measurement
     now = float(os.environ.get("SOURCE_DATE_EPOCH") or time.time())
@@ -127,6 +150,8 @@ def made(*inputs: object, measured: Recording | None = None) -> Made:
 
 def _with_its_own(path: Path) -> list[Path]:
     """Return a file, and those that are read with it."""
+    from deltacal_gen.files.columns import distances_path, instrument_path
+
     if path.suffix in (".toml", ".json"):
         beside = []
     else:
@@ -136,6 +161,8 @@ def _with_its_own(path: Path) -> list[Path]:
 
 def write_json(answer: Answer, path: Source) -> None:
     """Write an answer, replacing the file only when it is complete."""
+    from deltacal_gen.files.writing import write_files
+
     write_files({Path(path): answer.to_json()})
 
 

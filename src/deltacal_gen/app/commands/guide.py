@@ -13,8 +13,25 @@ if TYPE_CHECKING:
     from deltacal_gen.results.demo import Demo
 
 
-def demo(output: Source = "demo", progress: Progress = silent) -> Demo:
-    """Run the main job on the embedded recording; write its files and a picture below `output`."""
+def demo(*, output: Source = "demo", progress: Progress = silent) -> Demo:
+    """Run the main job end to end on an embedded recording with a concealed effect.
+
+    Parameters
+    ----------
+    output : path
+        Folder for the files that it makes.
+    progress : callable
+        Called with what is being done.
+
+    Raises
+    ------
+    InputError
+        The output is a file.
+
+    Examples
+    --------
+    deltacal demo -o demo
+    """
     from deltacal_gen.app import demonstration
 
     if Path(output).exists() and not Path(output).is_dir():
@@ -22,16 +39,32 @@ def demo(output: Source = "demo", progress: Progress = silent) -> Demo:
     return demonstration.run(Path(output), progress)
 
 
-def manual(topic: str | None = None) -> str:
-    """Return a page of the manual as Markdown, without a topic its contents.
+def manual(topic: str | None = None, *, examples: Source | None = None) -> str:
+    """Show a page of the manual, and copy the examples that its commands run on.
+
+    Parameters
+    ----------
+    topic : str, optional
+        The page; without it the contents.
+    examples : path, optional
+        Folder for the examples.
 
     Raises
     ------
     UsageError
         There is no such topic; the nearest are named.
+    InputError
+        The folder holds other files of these names.
+
+    Examples
+    --------
+    deltacal manual diagnose
     """
     from deltacal_gen.pages import manual as pages
 
+    copied = () if examples is None else manual_examples(examples)
+    if copied and topic is None:
+        return "".join(f"{folder}\n" for folder in copied)
     return pages.read(topic or pages.CONTENTS).text
 
 

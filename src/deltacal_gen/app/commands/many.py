@@ -5,11 +5,9 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 from deltacal_gen.app.commands.common import (
-    AnyRecording,
-    AnyRobot,
     Source,
     as_recording,
     as_robot,
@@ -19,15 +17,9 @@ from deltacal_gen.app.commands.common import (
     write_json,
 )
 from deltacal_gen.errors import InputError, UsageError
-from deltacal_gen.files.robot import for_model
-from deltacal_gen.files.sidecar import LEAST, MOST
-from deltacal_gen.files.writing import write_files
-from deltacal_gen.instrument.kind import TURN_MM
-from deltacal_gen.instrument.kinds import kind_of
-from deltacal_gen.machine.registry import mechanism_of
-from deltacal_gen.machine.values import Measurement
 
 if TYPE_CHECKING:
+    from deltacal_gen.app.commands.common import AnyRecording, AnyRobot
     from deltacal_gen.execution import Told
     from deltacal_gen.results.batch import Batch
     from deltacal_gen.results.study import Study
@@ -35,50 +27,70 @@ if TYPE_CHECKING:
 
 def study(
     robot: AnyRobot,
-    plan: AnyRecording,
-    output: Source | None = None,
     *,
+    plan: AnyRecording,
     model: str | int | None = None,
     machine: str | None = None,
     trials: int = 1000,
     noise: float | None = None,
-    suspects: Sequence[Source] = (),
+    suspect: Sequence[Source] = (),
     diagnoses: int = 10,
     seed: int = 0,
     workers: int | None = None,
     cluster: str | None = None,
-    directory: Source | None = None,
+    resume: Source | None = None,
+    output: Source | None = None,
     report: Source | None = None,
     told: Told = untold,
 ) -> Study:
-    """Say what a measuring plan will give; see `studies.conduct`.
+    """Predict what a measuring plan will give, by simulated machines.
 
     Parameters
     ----------
-    plan : path or Recording
-        Poses as `simulate` takes them: joints or targets, with a sidecar that says kind, frame and noise.
-    model : str, optional
-        What the calibration frees; default the largest that the plan carries.
+    robot : path, Robot or RobotTables
+        Robot file (TOML).
+    plan : path, data frame or Recording
+        Poses as simulate takes them: joints or targets (CSV), with a sidecar that says kind, frame and noise.
+    model : str or int, optional
+        Parameters that the calibration identifies; default the largest model that the plan carries.
     machine : str, optional
-        Model of what machines are wrong in; default what the calibration frees.
+        Model of the errors that simulated machines have; default that of the calibration.
+    trials : int
+        Number of machines that are simulated and calibrated.
     noise : float, optional
-        Standard deviation of a reading in its unit, per coordinate: mm, px or deg. Default the sidecar's. Rotations
-        beside lengths have its `sigma_deg`, or what 100 mm from the point is such a shift.
-    suspects : sequence of path
-        TRUTH.toml files, each with the effects of one suspicion.
+        Standard deviation of a reading, in its unit (mm, px, deg); default the sidecar's. Rotations beside lengths
+        have the sidecar's sigma_deg, or what is such a shift 100 mm from the measured point.
+    suspect : sequence of path
+        TRUTH.toml with effects that may be present; may be repeated.
     diagnoses : int
-        Recordings in which each suspicion is concealed.
-    directory : path, optional
-        Where results are kept, to be resumed.
+        Number of recordings in which each suspicion is concealed.
+    seed : int
+        Seed of machines and noise.
+    workers : int, optional
+        Local processes; default one for each core.
+    cluster : str, optional
+        Dask scheduler, tcp://HOST:PORT.
+    resume : path, optional
+        Folder that keeps results; the same command goes on from there.
+    output : path, optional
+        STUDY.json.
     report : path, optional
-        One self-contained HTML page of the same.
+        Page to read (.html).
+    told : callable
+        Called with how many tasks are done, of how many, and the last.
 
     Raises
     ------
     InputError
         The plan cannot be reached or carries too little; no noise is given; no scheduler answers at `cluster`.
-        Readings of joints, which see no source error, and nothing is suspected.
+        Readings of joints, which determine no source error, and nothing is suspected.
+
+    Examples
+    --------
+    deltacal study robot.toml --plan targets.csv --noise 0.01 -o study.json --report study.html
     """
+    from deltacal_gen.files.sidecar import LEAST, MOST
+
     if in_motion(plan) is not None:
         raise UsageError(
             "a study is of poses, and this is a trajectory: deltacal plan --kind torque says how well it determines "
@@ -87,13 +99,14 @@ def study(
     if trials < 1 or diagnoses < 1 or seed < 0 or (noise is not None and not LEAST <= noise <= MOST):
         bounds = f"noise from {LEAST:g} to {MOST:g}"
         raise UsageError(f"trials and diagnoses must be at least 1, {bounds}, and seed an integer from 0.")
-    check_output(output, robot, plan, *suspects)
-    check_output(report, robot, plan, output, *suspects)
-    how = {"workers": workers, "cluster": cluster, "directory": directory, "told": told}
-    found = _of_poses(robot, plan, model, machine, noise, suspects, seed, trials, diagnoses, **how)
+    check_output(output, robot, plan, *suspect)
+    check_output(report, robot, plan, output, *suspect)
+    how = {"workers": workers, "cluster": cluster, "directory": resume, "told": told}
+    found = _of_poses(robot, plan, model, machine, noise, suspect, seed, trials, diagnoses, **how)
     if output is not None:
         write_json(found, output)
     if report is not None:
+        from deltacal_gen.files.writing import write_files
         from deltacal_gen.pages import studies as pages
 
         write_files({Path(report): pages.page(found)})
@@ -113,7 +126,12 @@ def _of_poses(
     **how: Any,
 ) -> Study:
     """Return the study of a plan of poses."""
+    from deltacal_gen.files.robot import for_model
     from deltacal_gen.identification.checks import chosen_model
+    from deltacal_gen.instrument.kind import TURN_MM
+    from deltacal_gen.instrument.kinds import kind_of
+    from deltacal_gen.machine.registry import mechanism_of
+    from deltacal_gen.machine.values import Measurement
     from deltacal_gen.physics import simulation
     from deltacal_gen.planning import machines, studies
 
@@ -151,21 +169,53 @@ def _of_poses(
 
 def batch(
     folder: Source,
-    directory: Source,
-    action: str = "diagnose",
     *,
+    output: Source,
+    do: Literal["identify", "validate", "diagnose"] = "diagnose",
     model: str | None = None,
-    machine: str | None = None,
+    group_by: str | None = None,
     workers: int | None = None,
     cluster: str | None = None,
     told: Told = untold,
 ) -> Batch:
-    """Identify, validate or diagnose all recordings of a folder; see `fleet.conduct`. A page stands by the table."""
+    """Identify, validate or diagnose many recordings; what is done is not done again.
+
+    Parameters
+    ----------
+    folder : path
+        Folder with a folder for each machine: robot.toml and its recordings.
+    output : path
+        Run directory: table.csv, index.html and the answers; resumed where it exists.
+    do : {"diagnose", "identify", "validate"}
+        What is done with each recording.
+    model : str, optional
+        Parameters to identify: delta/32 or 32; default the mechanism's largest.
+    group_by : str, optional
+        Regular expression: paths with the same match are of one machine.
+    workers : int, optional
+        Local processes; default one for each core.
+    cluster : str, optional
+        Dask scheduler, tcp://HOST:PORT.
+    told : callable
+        Called with how many tasks are done, of how many, and the last.
+
+    Raises
+    ------
+    InputError
+        A folder without recordings, or one that cannot be written.
+    UsageError
+        A regular expression that is none.
+
+    Examples
+    --------
+    deltacal batch machines -o run --do identify
+    """
     from deltacal_gen.app import fleet
+    from deltacal_gen.files.writing import write_files
     from deltacal_gen.pages import report as pages
 
     found = fleet.conduct(
-        folder, directory, action, model=model, machine=machine, workers=workers, cluster=cluster, told=told
+        folder, output, do, model=model, machine=group_by, workers=workers, cluster=cluster, told=told
     )
-    write_files({Path(directory) / "index.html": pages.batch(found, fleet.write_pages(found, Path(directory)))})
+    write_files({Path(output) / "index.html": pages.batch(found, fleet.write_pages(found, Path(output)))})
     return found

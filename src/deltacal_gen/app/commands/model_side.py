@@ -1,31 +1,44 @@
-"""What is derived and registered: kernels, models, effects, the reports and claims that stand behind them."""
+"""What is derived and registered: models, effects, kernels, and the reports and claims for reviewers."""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from deltacal_gen.app import checkout
 from deltacal_gen.app.commands.common import Progress, Source, check_output, silent
 from deltacal_gen.errors import InputError, UsageError
-from deltacal_gen.machine.backend import compile_row_functions
-from deltacal_gen.machine.registry import load_mechanism, mechanism_names
-from deltacal_gen.results.registered import (
-    ClaimEntry,
-    Dimension,
-    EffectEntry,
-    EffectUnknown,
-    MechanismEntry,
-    SourceError,
-)
-from deltacal_gen.results.written import Derivation, Reproduction
-from deltacal_gen.units import file_unit, to_internal
+
+if TYPE_CHECKING:
+    from deltacal_gen.results.registered import Claims, Effects, Mechanisms
+    from deltacal_gen.results.written import Derivation, Kernels, Reproduction
 
 
-def models() -> list[MechanismEntry]:
-    """Return what is registered: every mechanism with its parameters, units and models."""
-    return [
+def models(name: str | None = None) -> Mechanisms:
+    """List the mechanisms, their models and their parameters.
+
+    Parameters
+    ----------
+    name : str, optional
+        A mechanism, or one of its models: its parameters, with units and meanings.
+
+    Raises
+    ------
+    UsageError
+        There is none of this name.
+
+    Examples
+    --------
+    deltacal models delta
+    """
+    from deltacal_gen.machine.registry import load_mechanism, mechanism_names
+    from deltacal_gen.results.registered import Dimension, MechanismEntry, Mechanisms, SourceError
+    from deltacal_gen.units import file_unit, to_internal
+
+    wanted = mechanism_names() if name is None else _named(name.partition("/")[0], mechanism_names(), "mechanism")
+    return Mechanisms(
         MechanismEntry(
             mechanism=m.name,
             of=m.machine,
@@ -52,15 +65,33 @@ def models() -> list[MechanismEntry]:
                 for g in m.geometry
             ),
         )
-        for m in map(load_mechanism, mechanism_names())
-    ]
+        for m in map(load_mechanism, wanted)
+    )
 
 
-def effects() -> list[EffectEntry]:
-    """Return the registered effects: what each is, its parameters with units, what it reads and moves."""
+def effects(name: str | None = None) -> Effects:
+    """List the effects that a diagnosis knows, with their parameters.
+
+    Parameters
+    ----------
+    name : str, optional
+        An effect: what its parameters mean, what it reads and moves.
+
+    Raises
+    ------
+    UsageError
+        There is none of this name.
+
+    Examples
+    --------
+    deltacal effects backlash
+    """
     from deltacal_gen.physics.terms import drive_effect_names, effect_names, load_effect
+    from deltacal_gen.results.registered import EffectEntry, Effects, EffectUnknown
 
-    return [
+    known = (*effect_names(), *drive_effect_names())
+    wanted = known if name is None else _named(name, known, "effect")
+    return Effects(
         EffectEntry(
             effect=name,
             title=found.TITLE,
@@ -73,52 +104,75 @@ def effects() -> list[EffectEntry]:
             reads=tuple(found.STATE),
             moves=tuple(found.TARGETS),
         )
-        for name, found in ((name, load_effect(name)) for name in (*effect_names(), *drive_effect_names()))
-    ]
+        for name, found in ((name, load_effect(name)) for name in wanted)
+    )
+
+
+def _named(name: str, known: Sequence[str], what: str) -> tuple[str]:
+    """Return the name alone; raises UsageError where it is not known."""
+    if name not in known:
+        raise UsageError(f"there is no {what} '{name}'; known: {', '.join(known)}.")
+    return (name,)
 
 
 def claims(
     *, paper: str | None = None, status: str | None = None, search: str | None = None, output: Source | None = None
-) -> list[ClaimEntry]:
-    """Return the ledger of claims, or a part of it: what is printed, what is right, the test.
+) -> Claims:
+    """Show what the papers claim, what the derivation gives, and the test that decides (from a source checkout).
 
     Parameters
     ----------
-    paper, status : str
-        Those of one paper, of one status.
-    search : str
-        Those in which each of these words begins a word.
-    output : path
-        Where to write them as a page that can be searched (``.html``), too.
+    paper : str, optional
+        One paper alone: bai, mei, savoure or traslosheros.
+    status : str, optional
+        One status alone, e.g. contradicted.
+    search : str, optional
+        Claims in which each of these words begins a word.
+    output : path, optional
+        Page that can be searched (.html).
 
     Raises
     ------
     UsageError
-        There is no such paper or status.
+        There is no such paper or status; or this is no source checkout.
+
+    Examples
+    --------
+    deltacal claims --paper bai --status contradicted
     """
+    from deltacal_gen.results.registered import ClaimEntry, Claims
+
     check_output(output, ending=(".html",))
     options = {"--paper": paper, "--status": status, "--search": search, "--output": output and Path(output).absolute()}
     given = [f"{option}={value}" for option, value in options.items() if value is not None]
-    return [ClaimEntry(**claim) for claim in checkout.run_review("claims", *given)]
+    return Claims(ClaimEntry(**claim) for claim in checkout.run_review("claims", *given))
 
 
-def reproduce(paper: str, output: Source, *, progress: Progress = silent) -> Reproduction:
-    """Remake the tables and figures of a paper beside the printed ones, with the verdict on each, on one page.
+def reproduce(paper: str, *, output: Source, progress: Progress = silent) -> Reproduction:
+    """Remake the tables and figures of a paper beside the printed ones, with the verdicts (from a source checkout).
 
     Parameters
     ----------
     paper : str
-        As the ledger of claims calls it: ``bai``, ``mei``, ``savoure`` or ``traslosheros``.
+        bai, mei, savoure or traslosheros.
     output : path
-        Folder for ``PAPER.html``; made where there is none.
+        Folder for PAPER.html; made where there is none.
+    progress : callable
+        Called with what is being done.
 
     Raises
     ------
     UsageError
-        There is no such paper.
+        There is no such paper; or this is no source checkout.
     InputError
         The output is a file.
+
+    Examples
+    --------
+    deltacal reproduce bai -o reproduced
     """
+    from deltacal_gen.results.written import Reproduction
+
     folder = Path(output)
     if folder.exists() and not folder.is_dir():
         raise InputError("this is a file, and the page needs a folder.", "Choose another name.", file=folder)
@@ -127,26 +181,35 @@ def reproduce(paper: str, output: Source, *, progress: Progress = silent) -> Rep
     return Reproduction(files=files, remade=tuple(done["remade"]))
 
 
-def derivation(model: str | None, output: Source, *, every: bool = False, progress: Progress = silent) -> Derivation:
-    """Write the report of a derivation for reviewers; return what was written.
+def derivation(
+    model: str | None = None, *, all_: bool = False, output: Source, progress: Progress = silent
+) -> Derivation:
+    """Write the report for reviewers: every equation, its source, its checks (from a source checkout).
 
     Parameters
     ----------
-    model : str
-        A model (``delta/42``), a mechanism (its largest model), an effect (``backlash``), a kind of measurement
-        (``distance``) or ``method``.
+    model : str, optional
+        A model (delta/42), a mechanism (its largest model), an effect (backlash), a kind of measurement (distance), or
+        method.
+    all_ : bool
+        All models, effects and kinds of measurement, with an index.
     output : path
-        ``.html`` or ``.md``, whose pictures are written beside it; with `every` a folder for all reports in HTML and
-        an index.
-    every : bool
-        All models of all mechanisms, all effects and all kinds of measurement.
+        FILE.html, or FILE.md whose pictures are written beside it; with --all a folder.
+    progress : callable
+        Called with what is being done.
 
     Raises
     ------
     UsageError
         No such model; or this is no source checkout, or SymPy is not installed.
+
+    Examples
+    --------
+    deltacal derivation delta/42 -o delta.html
     """
-    if (model is None) != every:
+    from deltacal_gen.results.written import Derivation
+
+    if (model is None) != all_:
         raise UsageError("give a model, a mechanism, an effect or a measurement, or else --all.")
     target = Path(output)
     if model is not None:
@@ -156,35 +219,38 @@ def derivation(model: str | None, output: Source, *, every: bool = False, progre
     chosen = () if model is None else (model,)
     task = ("derivation", *chosen, "-o", target.absolute())
     files = checkout.run_review(*task, deriving=True, progress=progress)
-    folder = target if every else target.parent
+    folder = target if all_ else target.parent
     return Derivation(files=tuple(str(folder / Path(file).name) for file in files))
 
 
-def kernels(names: Sequence[str] = (), *, check: bool = False) -> bool:
-    """Derive kernels and write them, or with `check` compare them; return whether it went well.
+def kernels(
+    names: Sequence[str] = (),
+    *,
+    check: bool = False,
+    warm: bool = False,
+    try_: Source | None = None,
+    output: Source | None = None,
+    progress: Progress = silent,
+) -> Kernels:
+    """Derive the models and emit the kernel package (from a source checkout), or compile it ahead (anywhere).
+
+    The derivation runs in a process of its own: nothing at run time imports SymPy.
 
     Parameters
     ----------
     names : sequence of str
-        Of mechanisms, effects or measurements; default all.
-
-    The derivation runs in a process of its own: nothing at run time imports SymPy.
-
-    Raises
-    ------
-    UsageError
-        This is no source checkout, or SymPy is not installed.
-    """
-    return checkout.run_derivation(*names, *(["--check"] if check else []))
-
-
-def trial(robot: Source, output: Source | None = None) -> str:
-    """Return in words how a machine does whose kernels were just derived, and draw it from its own equations.
-
-    Parameters
-    ----------
-    output : path
-        The drawing (``.svg``); default named after the mechanism.
+        Mechanisms, effects or measurements; default all.
+    check : bool
+        Write nothing; fail if the committed kernels differ.
+    warm : bool
+        Derive nothing; compile everything ahead.
+    try_ : path, optional
+        Robot file of a machine that was just derived: 100 poses there and back, what each kind of measurement
+        determines of its largest model, and a drawing from its own equations.
+    output : path, optional
+        The drawing (.svg); default MECHANISM.svg.
+    progress : callable
+        Called with what is being done.
 
     Raises
     ------
@@ -192,31 +258,45 @@ def trial(robot: Source, output: Source | None = None) -> str:
         The robot file cannot be used.
     UsageError
         This is no source checkout, or SymPy is not installed.
+
+    Examples
+    --------
+    deltacal kernels delta --check
     """
+    from deltacal_gen.results.written import Kernels
+
+    if warm:
+        return Kernels(done=True, seconds=_compiled(progress))
+    done = checkout.run_derivation(*names, *(["--check"] if check else []))
+    return Kernels(done=done, trial=None if not done or try_ is None else trial(try_, output))
+
+
+def trial(robot: Source, output: Source | None = None) -> str:
+    """Return in words how a machine does whose kernels were just derived, and draw it from its own equations."""
     check_output(output, robot, ending=(".svg",))
     task = ("trial", Path(robot).absolute(), "-o", Path(output or "").absolute())
     answer: str = checkout.run_review(*task, deriving=True)
     return answer.replace(f"{Path().absolute()}{os.sep}", "")
 
 
-def warm(progress: Callable[[str, float], None] = lambda name, seconds: None) -> dict[str, float]:
-    """Compile modules to byte code and the kernels of all mechanisms ahead; return and tell the seconds of each."""
+def _compiled(progress: Progress) -> dict[str, float]:
+    """Compile modules to byte code, and the kernels of all mechanisms, ahead; return the seconds of each."""
     import compileall
-    import importlib.util
     import time
+    from importlib.util import find_spec
+
+    from deltacal_gen.machine.backend import compile_row_functions
+    from deltacal_gen.machine.registry import load_mechanism, mechanism_names
 
     spent: dict[str, float] = {}
     for package in ("deltacal_gen", "deltacal_kernels"):
-        start, found = time.perf_counter(), importlib.util.find_spec(package)
+        progress(package)
+        start, found = time.perf_counter(), find_spec(package)
         if found is not None and found.origin is not None:
             compileall.compile_dir(Path(found.origin).parent, quiet=2)  # a folder that cannot be written stays as it is
         spent[package] = time.perf_counter() - start
-        progress(package, spent[package])
-    for name in mechanism_names():
-        for kernel, seconds in load_mechanism(name).compile():
+    for kernels in (*(load_mechanism(name).compile() for name in mechanism_names()), compile_row_functions()):
+        for kernel, seconds in kernels:
+            progress(kernel)
             spent[kernel] = seconds
-            progress(kernel, seconds)
-    for kernel, seconds in compile_row_functions():
-        spent[kernel] = seconds
-        progress(kernel, seconds)
     return spent

@@ -1,100 +1,70 @@
-"""What a calibrated machine is good for: commands, predictions, a check, a comparison of two sessions."""
+"""What a calibrated machine is used for: commands for it, files for its controller, predictions."""
 
 from __future__ import annotations
 
 import dataclasses
-import hashlib
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, cast
 
-import numpy as np
-
-from deltacal_gen.app.commands.clocks import as_known, clocks_of, instrument_columns
 from deltacal_gen.app.commands.common import (
-    AnyRecording,
     Progress,
     Source,
     as_recording,
     check_output,
-    in_motion,
-    made,
+    moving_like,
     refuse_in_motion,
     silent,
-    write_json,
 )
-from deltacal_gen.errors import InputError, UsageError
-from deltacal_gen.files.about import About, read_about
-from deltacal_gen.files.frames import is_frame
-from deltacal_gen.files.writing import csv_text, file_columns, write_files
-from deltacal_gen.machine.values import Recording
-from deltacal_gen.motion.kinds import columns_of
-from deltacal_gen.physics.ranges import in_words
-from deltacal_gen.results.certificate import Certificate, Party
-from deltacal_gen.results.diagnosis import Diagnosis
-from deltacal_gen.results.motion import (
-    MotionDiagnosis,
-    MotionModel,
-    MotionResult,
-    MotionValidation,
-    not_shown,
-    put_right,
-)
-from deltacal_gen.results.parts import InputFile, Made
-from deltacal_gen.results.reader import Given
-from deltacal_gen.results.result import Result
-from deltacal_gen.use.known import known_model, known_result
-
-NO_READINGS = (".toml", ".json")  # what files end with that a fit reads beside tables: robots, sidecars, answers
-NUMBER = 16  # letters of a hash that stand for the number of a certificate where none is given
+from deltacal_gen.errors import UsageError
 
 if TYPE_CHECKING:
+    from deltacal_gen.app.commands.common import AnyRecording
     from deltacal_gen.machine.registry import Array
+    from deltacal_gen.machine.values import Recording
     from deltacal_gen.motion.feedforward import FeedForward
-    from deltacal_gen.motion.kinds import Torque
-    from deltacal_gen.results.comparison import Comparison
-    from deltacal_gen.results.validation import Validation
+    from deltacal_gen.motion.trajectories import Trajectories
+    from deltacal_gen.results.diagnosis import Diagnosis
+    from deltacal_gen.results.motion import MotionModel
+    from deltacal_gen.results.reader import Given
+    from deltacal_gen.results.result import Result
     from deltacal_gen.results.written import FirmwareLines
 
 
 def compensate(
     result: Given,
-    targets: AnyRecording | Array | None = None,
-    output: Source | None = None,
+    targets: AnyRecording | Array,
     *,
-    kind: str = "exact",
-    export: str | None = None,
-    worst_mm: float = 0.01,
+    method: Literal["exact", "linear"] = "exact",
     channels: Mapping[str, Array | float] | None = None,
     bands: bool = False,
+    output: Source | None = None,
     tell: Progress = silent,
 ) -> Array:
-    """Return corrected joint commands (N, n_q) [deg or mm] for targets (N, 3) [mm], or export the compensator.
+    """Correct joint commands, or export the compensator; of a diagnosis with its effects, channel by channel.
+
+    The commands are (N, n_q) [deg or mm].
 
     Parameters
     ----------
-    result : path or mapping
-        RESULT.json, or DIAGNOSIS.json: then the commands include the effects that were found.
+    result : path or Result or Diagnosis
+        RESULT.json of identify, or DIAGNOSIS.json of diagnose: then the commands include the effects that were found.
     targets : path, data frame or (N, 3) array
-        A CSV with ``x_mm, y_mm, z_mm`` in {O} (tool columns and channels too), or positions. Not needed with `export`.
-        Of a data frame the names of columns count, not their order.
-        Of an open chain ``rx_deg, ry_deg, rz_deg`` beside, or an array (N, 6); or a CSV with joints instead, the
-        program as it is: wanted is where the chain as drawn stands at them, and it goes on standing so.
-    output : path
-        JOINTS.csv; with `export` the compensator's own file.
-    kind : {"exact", "linear"}
-    export : str, optional
-        What to write in place of commands, see `export_compensator`.
-    worst_mm : float
-        Of a table: what it may leave.
+        x_mm, y_mm, z_mm in {O}, tool columns and channels (CSV). Of an open chain rx_deg, ry_deg, rz_deg too, or
+        joints: the program as it is, whose poses of the nominal chain are kept. From Python also an array (N, 3), of a
+        chain (N, 6).
+    method : {"exact", "linear"}
+        Solve the calibrated machine, or correct to first order.
     channels : mapping of (N,) arrays or numbers, optional
-        Beside an array of targets, what the effects depend on, by the names of a recording's columns:
-        ``temp_C, payload_kg, time_s, approach1`` ...
+        For an array of targets, what the effects depend on, by the names of a recording's columns: temp_C, payload_kg,
+        time_s, approach1 ...
     bands : bool
-        Write beside each command between which coordinates the machine will stand with 95 % probability, in {O} as the
-        instrument sees it: ``x_lo_mm, x_hi_mm`` ...
+        Write the 95 % coverage interval of where the machine will stand beside each command: x_lo_mm, x_hi_mm ..., in
+        {O} as the instrument sees it.
+    output : path, optional
+        JOINTS.csv, or the export.
     tell : callable
-        Told in words what was assumed where a channel is not given.
+        Called with what is assumed where a channel is not given.
 
     Raises
     ------
@@ -104,17 +74,22 @@ def compensate(
         A file, or a data frame, that cannot be read as targets.
     NoSolutionError
         Targets out of reach.
-    """
-    from deltacal_gen.use import commanded, compensation
 
-    if export is not None:
-        export_compensator(result, export, output, kind=kind, worst_mm=worst_mm, tell=tell)
-        return np.zeros((0, 3))
+    Examples
+    --------
+    deltacal compensate diagnosis.json targets.csv -o joints.csv
+    """
+    import numpy as np
+
+    from deltacal_gen.files.frames import is_frame
+    from deltacal_gen.files.writing import csv_text, write_files
+    from deltacal_gen.machine.values import Recording
+    from deltacal_gen.use import commanded, compensation
+    from deltacal_gen.use.known import known_result
+
     check_output(output, result, targets)
     known = known_result(result)
-    compensator = compensation.Compensator(known, kind)
-    if targets is None:
-        raise UsageError("give the targets: a CSV with x_mm, y_mm, z_mm.")
+    compensator = compensation.Compensator(known, method)
     given: Any = targets
     if isinstance(targets, str | Path | Recording) or is_frame(targets):
         recording = as_recording(given, compensator.robot, need_measured=False, allow_targets=True)
@@ -139,39 +114,50 @@ def compensate(
 
 def export_compensator(
     result: Given,
-    export: str,
-    output: Source | None,
     *,
-    kind: str = "exact",
-    worst_mm: float = 0.01,
+    export: str,
+    output: Source,
+    method: Literal["exact", "linear"] = "exact",
+    tolerance_mm: float = 0.01,
     tell: Progress = silent,
 ) -> FirmwareLines | None:
-    """Write what was found of a machine for its controller; return the lines of a printer's firmware.
+    """Write a calibrated machine for its controller; return the lines of a printer's firmware.
 
     Parameters
     ----------
+    result : path or Result or Diagnosis
+        RESULT.json of identify, or DIAGNOSIS.json of diagnose.
     export : str
-        One of `deltacal_gen.use.exporters.names`.
+        Write this for a controller, in place of commands: c or table, the compensator; klipper, rrf or marlin, the
+        lines of a printer's firmware.
     output : path
-        The export's own file.
-    kind, worst_mm, tell
-        As of `compensate`.
+        File of the export.
+    method : {"exact", "linear"}
+        Solve the calibrated machine, or correct to first order.
+    tolerance_mm : float
+        Largest error of an exported table [mm].
+    tell : callable
+        Called with what the export does not hold.
 
     Raises
     ------
     UsageError
         There is no such export, or none for this machine.
+
+    Examples
+    --------
+    deltacal compensate result.json --export klipper -o printer.cfg
     """
+    from deltacal_gen.results.motion import MotionModel
     from deltacal_gen.use import exporters
+    from deltacal_gen.use.known import known_model
 
     check_output(output, result)
     known, exporter = known_model(result), exporters.exporter_of(export)
-    if output is None:
-        raise UsageError("an export needs the file to write: give -o FILE.")
     if isinstance(known, MotionModel):
         exporter.in_motion(known, Path(output))
         return None
-    lines = exporter.at_rest(known, Path(output), kind=kind, worst_mm=worst_mm)
+    lines = exporter.at_rest(known, Path(output), kind=method, worst_mm=tolerance_mm)
     _tell_of_correction(known, tell)
     return lines
 
@@ -182,35 +168,40 @@ def _tell_of_correction(known: Result | Diagnosis, tell: Progress) -> None:
 
 
 def feed_forward(
-    result: Given, trajectory: Source, output: Source | None = None, *, tell: Progress = silent
+    result: Given, targets: Source, *, output: Source | None = None, tell: Progress = silent
 ) -> FeedForward:
-    """Return what drives must be told along a trajectory: commanded joints, their derivatives, and torques.
+    """Command a trajectory: joints, their derivatives, and the torques of the drives.
 
     Parameters
     ----------
-    result : path or mapping
+    result : path or MotionResult or MotionDiagnosis
         RESULT.json or DIAGNOSIS.json of a recording in motion: with the friction that was found.
-    trajectory : path
-        A CSV with ``time_s`` and joints, or ``x_mm, y_mm, z_mm`` in {O}, with ``rx_deg, ry_deg, rz_deg`` where these
-        are commanded too; ``run`` and ``payload_kg`` where they vary.
-    output : path
+    targets : path
+        Samples in time (CSV): time_s and joints, or x_mm, y_mm, z_mm in {O}, with rx_deg, ry_deg, rz_deg where these
+        are commanded too; run and payload_kg where they vary.
+    output : path, optional
         COMMANDS.csv: joints, velocities, accelerations, torques in the unit of the result's readings.
     tell : callable
-        Told in words which rows are left out, where velocities are not those of the joints, where friction is ramped
-        and where limits are passed.
+        Called with which rows are left out, where velocities are not those of the joints, where friction is ramped and
+        where limits are passed.
 
     Raises
     ------
     UsageError
         The result is of a machine at rest.
     """
-    from deltacal_gen.use import trajectory as along
+    import numpy as np
 
-    check_output(output, result, trajectory)
+    from deltacal_gen.files.writing import csv_text, write_files
+    from deltacal_gen.results.motion import MotionModel
+    from deltacal_gen.use import trajectory as along
+    from deltacal_gen.use.known import known_model
+
+    check_output(output, result, targets)
     known = known_model(result)
     if not isinstance(known, MotionModel):
         raise UsageError("torques along a trajectory need a result of a recording in motion (kind torque).")
-    found = along.feed_forward(known, trajectory)
+    found = along.feed_forward(known, targets)
     for words in (*found.given.repairs, along.blanks(found), along.bent(found)):
         if words is not None:
             tell(words)
@@ -225,15 +216,19 @@ def feed_forward(
     return found
 
 
-def firmware_lines(result: Given, kind: str, output: Source | None = None, *, tell: Progress = silent) -> FirmwareLines:
+def firmware_lines(result: Given, kind: str, *, output: Source | None = None, tell: Progress = silent) -> FirmwareLines:
     """Return the lines of a printer's firmware for a calibrated machine, beside those in its file now.
 
     Parameters
     ----------
+    result : path or Result or Diagnosis
+        RESULT.json of identify, or DIAGNOSIS.json of diagnose.
     kind : str
         The firmware, as `compensate` exports for it: klipper, ...
-    output : path
+    output : path, optional
         The lines.
+    tell : callable
+        Called with what the lines do not hold.
 
     Raises
     ------
@@ -242,7 +237,9 @@ def firmware_lines(result: Given, kind: str, output: Source | None = None, *, te
     NoSolutionError
         The lines would be worse than those in the file now; nothing is written.
     """
+    from deltacal_gen.files.writing import write_files
     from deltacal_gen.use import exporters, firmware
+    from deltacal_gen.use.known import known_result
 
     check_output(output, result)
     known, exporter = known_result(result), exporters.exporter_of(kind)
@@ -258,59 +255,59 @@ def firmware_lines(result: Given, kind: str, output: Source | None = None, *, te
 def predict(
     result: Given,
     recording: AnyRecording,
-    output: Source | None = None,
     *,
     place: AnyRecording | None = None,
     bands: bool = False,
+    output: Source | None = None,
     tell: Progress = silent,
 ) -> Recording:
-    """Return a recording's readings as an identified or diagnosed model predicts them.
+    """Predict the readings at other joints, in the instrument's frame.
 
     Parameters
     ----------
-    result : path, mapping, Result or Diagnosis
-        RESULT.json or DIAGNOSIS.json, or what it was read from.
+    result : path or Result or Diagnosis
+        RESULT.json of identify, or DIAGNOSIS.json of diagnose.
     recording : path, data frame or Recording
-        Joints, and the channels that effects depend on; its measured cells are never read.
+        Joints, and the channels that effects depend on (CSV); its measured columns are not read.
+    place : path, data frame or Recording, optional
+        Readings of the same set-ups at other poses (CSV), which place the instrument in place of what the result knows.
+    bands : bool
+        Write the 95 % prediction interval beside each value: x_lo_mm, x_hi_mm ...; at rest without the noise of a
+        reading.
     output : path, optional
         PREDICTED.csv.
-    place : path, data frame or Recording, optional
-        Other poses from the same set-ups of the instrument: those that it holds are placed by its readings, whether
-        the result knows a set-up of that name or not.
-    bands : bool
-        Put beside each value the ends between which it lies with 95 % probability, ``x_lo_mm, x_hi_mm`` ...: channels
-        of the recording that is returned or, of distances, columns of the file alone. The noise of a reading is not in
-        them.
     tell : callable
-        Told in words which joints stand at angles that the diagnosis never saw.
+        Called with which joints stand at angles that the diagnosis never saw.
 
     Returns
     -------
     Recording
-        Of a result in motion a `motion.trajectories.Trajectories`, with half the width of its bands in `half`. They
-        hold readings, noise included: sample by sample nobody tells that from what the model leaves out.
+        Of a result in motion a `motion.trajectories.Trajectories`, with half the width of its intervals in `half`;
+        these hold readings, noise included.
 
     Raises
     ------
     InputError
         A file, or data frame, that cannot be used; a set-up that the result does not know, without `place`.
+
+    Examples
+    --------
+    deltacal predict diagnosis.json poses.csv -o predicted.csv
     """
+    from deltacal_gen.app.commands.clocks import as_known, clocks_of, instrument_columns
     from deltacal_gen.diagnosis import spectrum
+    from deltacal_gen.files.writing import csv_text, file_columns, write_files
     from deltacal_gen.instrument.kinds import kind_of
+    from deltacal_gen.physics.ranges import in_words
+    from deltacal_gen.results.motion import MotionModel
     from deltacal_gen.use import prediction
+    from deltacal_gen.use.known import known_model
 
     check_output(output, result, recording, place)
     known = known_model(result)
     if isinstance(known, MotionModel):
         refuse_in_motion(place=place)
-        found = _moving(recording).predict(known, bands=bands)
-        beyond = in_words(found.outside, "samples"), not_shown(found.unshown.sum(axis=0).tolist())
-        for words in (*put_right(found.repairs), *beyond):
-            if words is not None:
-                tell(words)
-        if output is not None:
-            write_files({Path(output): csv_text(columns_of(found))})
-        return cast("Recording", found)
+        return cast("Recording", _predicted_in_motion(known, recording, bands, output, tell))
     robot = prediction.calibrated_robot(known)
     timed = clocks_of(recording, robot, need_measured=False)
     given = as_known(known, recording, robot, need_measured=False)
@@ -339,190 +336,20 @@ def predict(
     return done if done.pairs is not None else dataclasses.replace(done, channels=done.channels | ends)
 
 
-def _moving(recording: object) -> Torque:
-    """Return a recording in motion, which a result of one asks for; raises InputError where it is none."""
-    found = in_motion(recording)
-    if found is None:
-        raise InputError(
-            "the result is of a recording in motion, and this is none.",
-            'Give one whose sidecar says kind = "torque" under [measurement].',
-            file=recording if isinstance(recording, str | Path) else None,
-        )
-    return found
+def _predicted_in_motion(
+    known: MotionModel, recording: AnyRecording, bands: bool, output: Source | None, tell: Progress
+) -> Trajectories:
+    """Return the readings of drives, written where that is wanted."""
+    from deltacal_gen.files.writing import csv_text, write_files
+    from deltacal_gen.motion.kinds import columns_of
+    from deltacal_gen.physics.ranges import in_words
+    from deltacal_gen.results.motion import not_shown, put_right
 
-
-def validate(result: Given, recording: AnyRecording, report: Source | None = None) -> Validation:
-    """Return the error of a calibrated model on readings it has not seen, against the noise.
-
-    Parameters
-    ----------
-    result : path, mapping, Result or Diagnosis
-        RESULT.json or DIAGNOSIS.json, or what it was read from.
-    recording : path, data frame or Recording
-        Joints and readings. A set-up of the instrument that the result does not know is placed by them.
-    report : path, optional
-        One self-contained HTML page of the same; its name ends with ``.html``.
-
-    Returns
-    -------
-    Validation
-        Of a recording in motion a `results.motion.MotionValidation`.
-
-    Raises
-    ------
-    InputError
-        A file, or data frame, that cannot be used, or whose readings are of another kind than those of the result.
-    """
-    from deltacal_gen.use import validation
-
-    check_output(report, result, recording, ending=(".html",))
-    known = known_model(result)
-    if isinstance(known, MotionModel):
-        return cast("Validation", _validated_in_motion(known, recording, report, made(result, recording)))
-    robot = validation.calibrated_robot(known)
-    given = as_known(known, recording, robot)
-    own = made(result, recording, measured=given)
-    found = validation.validate(known, given).replace(made=own, seen=_seen_before(own, known.made))
-    if report is not None:
-        from deltacal_gen.pages import validation as page
-
-        write_files({Path(report): page.page(found)})
-    return found
-
-
-def _validated_in_motion(
-    known: MotionResult | MotionDiagnosis, recording: AnyRecording, report: Source | None, made_by: Made
-) -> MotionValidation:
-    """Return how far off a model is on a recording in motion, and write its page where one is asked for."""
-    moving = _moving(recording)
-    found = moving.validate(known).replace(made=made_by, seen=_seen_before(made_by, known.made))
-    if report is not None:
-        from deltacal_gen.pages import motion as page
-
-        write_files({Path(report): page.validation(found, moving.drawn(known))})
-    return found
-
-
-def certificate(
-    result: Given, validation: AnyRecording, output: Source | None = None, *, about: Source | None = None
-) -> Certificate:
-    """Return what is certified of a calibrated machine; `output` is the page, and beside it the XML is written.
-
-    Parameters
-    ----------
-    result : path or mapping
-        RESULT.json or DIAGNOSIS.json.
-    validation : path or recording
-        Readings that took no part in the fit.
-    output : path, optional
-        CERTIFICATE.html: one page for A4; CERTIFICATE.xml beside it is the digital calibration certificate.
-    about : path, optional
-        TOML with what no recording knows: ``[laboratory]`` and ``[customer]`` (name, street, city, country),
-        ``[machine]`` (manufacturer, serial), ``[calibration]`` (number, person, begin, end, place).
-
-    Raises
-    ------
-    InputError
-        The validation is a file that the fit was made of, the result keeps no uncertainty, or is one in motion.
-    """
-    from deltacal_gen.use import certificate as certified
-    from deltacal_gen.use.prediction import calibrated_robot
-
-    page = None if output is None else Path(output)
-    check_output(page, result, validation, about, ending=(".html",))
-    check_output(page and page.with_suffix(".xml"), result, validation, about)
-    known = known_result(result)
-    robot = calibrated_robot(known)
-    given = as_recording(validation, robot)
-    said = About() if about is None else read_about(str(about))
-    own = made(result, validation, about, measured=given)
-    _check_unseen(own.inputs, known.made.inputs if known.made else (), validation)
-    checked = certified.check(known, given)
-    days = [str(d) for d in (said.calibration.begin, said.calibration.end) if d is not None]
-    found = Certificate(
-        identifier=said.calibration.number or _number([file.sha256 for file in own.inputs]),
-        machine=known.robot.robot.name,
-        mechanism=known.robot.robot.mechanism,
-        model=certified.model_of(known),
-        manufacturer=said.machine.manufacturer,
-        serial=said.machine.serial,
-        instrument=own.instrument,
-        kind=given.kind,
-        readings=checked.validation.readings,
-        performed=(days[0], days[-1]) if days else None,
-        place=said.calibration.place,
-        person=said.calibration.person or own.operator,
-        laboratory=Party(**dict(said.laboratory)),
-        customer=Party(**dict(said.customer)),
-        conditions=certified.conditions(given),
-        before=checked.before,
-        after=checked.after,
-        budget=checked.budget,
-        placed=checked.validation.placed or (),
-        iso9283=checked.validation.iso9283,
-        iso230=checked.validation.iso230,
-        unit=checked.validation.unit,
-        unit_mm=checked.validation.unit_mm,
-        fitted=known.made,
-        made=own,
-    )
-    if page is not None:
-        from deltacal_gen.pages.certificate import certificate as page_of
-        from deltacal_gen.pages.dcc import dcc
-
-        write_files({page: page_of(found), page.with_suffix(".xml"): dcc(found)})
-    return found
-
-
-def _check_unseen(own: tuple[InputFile, ...], fitted: tuple[InputFile, ...], validation: AnyRecording) -> None:
-    """Raise an InputError where the readings are those of the fit."""
-    if isinstance(validation, str | Path) and (name := _seen(own, fitted)) is not None:
-        raise InputError(
-            f"the calibration was made of these readings ('{name}'), so that they are no check of it.",
-            "Give readings that took no part in it.",
-            file=validation,
-        )
-
-
-def _seen_before(own: Made, fitted: Made | None) -> Literal[True] | None:
-    """Tell whether a fit was made of a file that is asked to check it."""
-    return True if fitted is not None and _seen(own.inputs, fitted.inputs) is not None else None
-
-
-def _seen(own: Sequence[InputFile], fitted: Sequence[InputFile]) -> str | None:
-    """Return the name of a file of readings that a fit was made of; None where it saw none of them."""
-    hashes = {file.sha256 for file in fitted if not file.name.lower().endswith(NO_READINGS)}
-    return next((file.name for file in own if file.sha256 in hashes), None)
-
-
-def _number(hashes: list[str]) -> str:
-    """Return a number that the files alone decide."""
-    return f"deltacal-{hashlib.sha256(' '.join(hashes).encode()).hexdigest()[:NUMBER]}"
-
-
-def compare(before: Given, after: Given, output: Source | None = None) -> Comparison:
-    """Return what changed between two sessions of one machine, by parameter with its uncertainty; see `comparison`."""
-    from deltacal_gen.use import comparison
-
-    check_output(output, before, after)
-    first, second = known_model(before), known_model(after)
-    if isinstance(first, MotionModel) and isinstance(second, MotionModel):
-        found = comparison.compare_in_motion(first, second)
-    else:
-        found = comparison.compare(_calibration(before), _calibration(after))
-    found = found.replace(made=made(before, after))
+    found = moving_like(recording).predict(known, bands=bands)
+    beyond = in_words(found.outside, "samples"), not_shown(found.unshown.sum(axis=0).tolist())
+    for words in (*put_right(found.repairs), *beyond):
+        if words is not None:
+            tell(words)
     if output is not None:
-        write_json(found, output)
-    return found
-
-
-def _calibration(given: Given) -> Result:
-    """Return a result of `identify`; a diagnosis has no parameters to compare."""
-    found = known_result(given)
-    if not isinstance(found, Result):
-        raise InputError(
-            "this is no result of identify.",
-            "Give two files that identify wrote; of a diagnosed session: identify --physics DIAGNOSIS.json.",
-            file=None if isinstance(given, Mapping) else given,
-        )
+        write_files({Path(output): csv_text(columns_of(found))})
     return found

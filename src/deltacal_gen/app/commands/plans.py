@@ -1,0 +1,264 @@
+"""Where and how to measure: poses, joints reached from either side, trajectories."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Literal
+
+from deltacal_gen.app.commands.common import PICTURES, Source, as_robot, check_output
+from deltacal_gen.errors import UsageError
+
+if TYPE_CHECKING:
+    from deltacal_gen.app.commands.common import AnyRobot
+    from deltacal_gen.machine.values import Robot
+    from deltacal_gen.results.plan import CyclePlan, Plan
+    from deltacal_gen.results.trajectories import MotionPlan
+
+
+def plan(
+    robot: AnyRobot,
+    *,
+    model: str | int | None = None,
+    kind: str | None = None,
+    optimal: int | None = None,
+    points: int | None = None,
+    singular: tuple[float, float] | None = None,
+    layers: str | None = None,
+    start_angle_deg: float | None = None,
+    threshold: float | None = None,
+    n_max: int | None = None,
+    noise: float | None = None,
+    gauge: Source | None = None,
+    sidecar: Source | None = None,
+    scaling: str | None = None,
+    norm: Literal["spectral", "frobenius"] = "spectral",
+    output: Source | None = None,
+    picture: Source | None = None,
+) -> Plan:
+    """Choose measuring poses: condition number and observability against their number, or a D-optimal set.
+
+    Of one axis, and of kind encoder, these are joints reached from either side; of kind torque trajectories.
+
+    Parameters
+    ----------
+    robot : path, Robot or RobotTables
+        Robot file (TOML).
+    model : str or int, optional
+        Whose parameters the poses shall determine: delta/18 or 18. Not needed where there is but one, nor for kinds
+        torque and encoder.
+    kind : str, optional
+        What is measured: distance, position, pose, gauge, encoder, torque, 'board image', 'touched board'.
+    optimal : int, optional
+        Choose this many D-optimal poses, in place of rings.
+    points : int, optional
+        Reference points on the platform, 1 to 3; default as many as the model needs.
+    singular : (float, float), optional
+        Poses this far from the nearest singularity, from .. to [mm], in place of rings.
+    layers : str, optional
+        Layers of the rings: top,middle,bottom; default those of the paper.
+    start_angle_deg : float, optional
+        Angle of the first pose of a ring [deg].
+    threshold : float, optional
+        Relative change of the condition number below which more poses are no gain; default 0.01.
+    n_max : int, optional
+        Largest number that is tried.
+    noise : float, optional
+        Standard deviation of a reading [mm]: predicts the uncertainty that the poses will give.
+    gauge : path, optional
+        Sidecar that says where the ends of a gauge are mounted: base_point_mm, platform_point_mm.
+    sidecar : path, optional
+        What the sidecar of the readings will say: kind, and place and lens of a camera.
+    scaling : {"paper", "table", "file", "typical"}, optional
+        Scaling of the columns; default the paper's.
+    norm : {"spectral", "frobenius"}
+        Norm of the condition number.
+    output : path, optional
+        TARGETS.csv, for simulate.
+    picture : path, optional
+        Condition number against the number of poses, .svg, .png or .pdf.
+
+    Raises
+    ------
+    UsageError
+        An unknown model or kind; options that exclude each other.
+
+    Examples
+    --------
+    deltacal plan robot.toml --model delta/32 --points 2 -o targets.csv
+    """
+    from deltacal_gen.files.sidecar import read_measurement
+    from deltacal_gen.instrument.kinds import MOUNTED
+    from deltacal_gen.planning import matrix, planning
+    from deltacal_gen.planning.optimal import d_optimal
+    from deltacal_gen.units import DEG
+
+    check_output(output, robot)
+    check_output(picture, robot, output, ending=PICTURES)
+    if (function := planner(robot, kind, model, sidecar)) != plan.__name__:
+        raise UsageError(f"these are no poses: {function} plans what is measured here.")
+    machine, name = _with_model(as_robot(robot), model)
+    said = None if sidecar is None else read_measurement(sidecar)
+    how: dict[str, Any] = {"kind": kind or (said and said.kind), "tools": points, "singular": singular, "said": said}
+    how |= {"scaling": scaling, "norm": norm, "sigma_mm": noise}
+    options: dict[str, Any] = {
+        "layers": layers and layers.split(","),
+        "start_angle": None if start_angle_deg is None else start_angle_deg * DEG,
+        "threshold": threshold,
+        "n_max": n_max,
+        "mount": None if gauge is None else matrix.read_mount(gauge),
+    }
+    rings = {name: value for name, value in options.items() if value is not None}
+    if optimal is None:
+        how["kind"] = how["kind"] or (gauge and MOUNTED)
+        found = planning.plan(machine, name, **how, **rings)
+    elif gauge is not None:
+        raise UsageError("D-optimal sets are chosen for positions and distances, not for a gauge.")
+    elif rings:
+        raise UsageError(f"{', '.join(rings)}: of rings, and means nothing for a D-optimal set; leave it out.")
+    else:
+        found = d_optimal(machine, name, optimal, **how)
+    if output is not None:
+        planning.write_targets(found, output)
+    if picture is not None:
+        from deltacal_gen.pages import plans
+
+        plans.figure(found, picture)
+    return found.answer()
+
+
+def _with_model(robot: Robot, model: str | int | None) -> tuple[Robot, str]:
+    """Return the robot as a model describes it, and the name of the model; the only one where none is given."""
+    from deltacal_gen.files.robot import for_model
+    from deltacal_gen.machine.registry import mechanism_of
+
+    first, *others = mechanism_of(robot).models
+    if model is None and others:
+        names = ", ".join((first, *others))
+        raise UsageError(f"give the model whose parameters the poses shall determine: --model {names}.")
+    name = first if model is None else str(model)
+    return for_model(robot, name), name
+
+
+def plan_cycles(
+    robot: AnyRobot,
+    *,
+    kind: str | None = None,
+    positions: int | None = None,
+    cycles: int | None = None,
+    sidecar: Source | None = None,
+    output: Source | None = None,
+) -> CyclePlan:
+    """Choose joints that are reached from either side: of one axis in cycles, or of several over their ranges.
+
+    Parameters
+    ----------
+    robot : path, Robot or RobotTables
+        Robot file (TOML).
+    kind : str, optional
+        What is measured: encoder, or position of one axis.
+    positions : int, optional
+        One axis, or kind encoder: how many positions are reached from both sides.
+    cycles : int, optional
+        One axis: how often it goes forth and back; default 5.
+    sidecar : path, optional
+        What the sidecar of the readings will say: their kind.
+    output : path, optional
+        ROWS.csv, for simulate.
+
+    Raises
+    ------
+    InputError
+        The robot file does not say how far the joints go.
+    UsageError
+        Fewer than two positions or cycles; cycles of several joints.
+    """
+    from deltacal_gen.instrument.kinds import POINTS
+    from deltacal_gen.planning import both_sides
+
+    check_output(output, robot)
+    machine = as_robot(robot)
+    name = _reached_from_both_sides(machine, _kind_of(kind, sidecar)) or POINTS
+    found = both_sides.both_sides(machine, name, positions, cycles)
+    if output is not None:
+        both_sides.write_rows(found, output)
+    return found.answer()
+
+
+def plan_trajectory(
+    robot: AnyRobot,
+    *,
+    runs: int = 3,
+    period_s: float = 10.0,
+    harmonics: int = 5,
+    rate_Hz: float = 100.0,
+    output: Source | None = None,
+    picture: Source | None = None,
+) -> MotionPlan:
+    """Plan exciting trajectories, whose torques determine the bodies and drives of a robot.
+
+    Parameters
+    ----------
+    robot : path, Robot or RobotTables
+        Robot file (TOML).
+    runs : int
+        Kind torque: number of movements, each a run.
+    period_s : float
+        Kind torque: length of each movement [s].
+    harmonics : int
+        Kind torque: harmonics of its Fourier series.
+    rate_Hz : float
+        Kind torque: samples per second [Hz].
+    output : path, optional
+        TRAJECTORY.csv with its sidecar, for simulate and for the controller.
+    picture : path, optional
+        The course of the trajectories and their limits, .svg, .png or .pdf.
+
+    Raises
+    ------
+    UsageError
+        A number out of range.
+    NoSolutionError
+        No trajectory stays in the workspace.
+    """
+    from deltacal_gen.planning import exciting
+
+    check_output(output, robot)
+    check_output(picture, robot, output, ending=PICTURES)
+    machine = as_robot(robot)
+    found, series = exciting.exciting(machine, runs=runs, period=period_s, harmonics=harmonics, rate=rate_Hz)
+    if output is not None:
+        exciting.write_trajectory(machine, series, found.rate_Hz, output)
+    if picture is not None:
+        from deltacal_gen.pages import plans
+
+        plans.trajectory(machine, found, exciting.columns_of(machine, series, found.rate_Hz), picture)
+    return found
+
+
+def planner(robot: AnyRobot, kind: str | None, model: str | int | None, sidecar: Source | None) -> str:
+    """Return the function that plans what is measured: poses, joints from either side, or trajectories."""
+    from deltacal_gen.motion.kinds import plans_motion
+
+    kind = _kind_of(kind, sidecar)
+    if plans_motion(kind, None if model is None else str(model)):
+        return plan_trajectory.__name__
+    return plan.__name__ if _reached_from_both_sides(as_robot(robot), kind) is None else plan_cycles.__name__
+
+
+def _kind_of(kind: str | None, sidecar: Source | None) -> str | None:
+    """Return the kind of what is measured, as it was given or as the sidecar says it."""
+    from deltacal_gen.files.sidecar import read_measurement
+
+    return kind or (None if sidecar is None else read_measurement(sidecar).kind)
+
+
+def _reached_from_both_sides(robot: Robot, kind: str | None) -> str | None:
+    """Return the kind of readings for which joints are reached from either side; None of any other."""
+    from deltacal_gen.instrument import kinds
+    from deltacal_gen.machine.registry import mechanism_of
+
+    name = next((n for n in kinds.names() if kind in (n, *kinds.kind_of(n).aliases)), kind)
+    if name in kinds.names() and kinds.kind_of(name).sees_joints:
+        return name
+    machine = mechanism_of(robot)
+    one_axis = machine.limbs == 1 and machine.many_ways  # a chain of one joint
+    return kinds.POINTS if one_axis and name in (None, kinds.POINTS) else None
