@@ -123,16 +123,15 @@ def set_aside(recording: Recording, robot: Robot) -> Recording:
 def check_repeats(recording: Recording, rows: Rows) -> None:
     """Rows of one pose have the same joints; which point of the machine was measured there may differ."""
     stands = recording.joints if recording.targets is None else recording.targets
-    first: dict[str, int] = {}
-    for row, label in enumerate(recording.pose.tolist()):
-        other = first.setdefault(label, row)
-        if other != row and np.abs(stands[row] - stands[other]).max() > _SAME_JOINT:
-            raise rows.error(
-                f"pose '{label}' has other joints than in line {rows.line[other]}.",
-                "Give every pose a label of its own; only repeats, and points measured at one pose, share one.",
-                row=row,
-                column="pose",
-            )
+    poses = recording.pose.tolist()
+    first = {label: row for row, label in reversed([*enumerate(poses)])}
+    moved = np.abs(stands - stands[[first[label] for label in poses]]).max(axis=1)
+    rows.refuse(
+        moved > _SAME_JOINT,
+        lambda k: f"pose '{poses[k]}' has other joints than in line {rows.line[first[poses[k]]]}.",
+        "Give every pose a label of its own; only repeats, and points measured at one pose, share one.",
+        column="pose",
+    )
 
 
 def check_home(recording: Recording) -> None:

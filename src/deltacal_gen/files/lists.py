@@ -10,8 +10,6 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
-import numpy as np
-
 from deltacal_gen.errors import InputError
 from deltacal_gen.files.dialect import Scales, Vocabulary, length_unit, named
 from deltacal_gen.files.rows import Rows, number_of, read_table
@@ -109,12 +107,3 @@ def is_table_of_joints(path: Path) -> bool:
         return any(_READ.fullmatch(name) for name in read_list(path).columns)
     except InputError:
         return False
-
-
-def numeric_columns(rows: Rows, *but: str) -> dict[str, Array]:
-    """Return the other columns (N,) that hold numbers alone, and some, by their names."""
-    return {
-        name: np.asarray(rows.numbers(name)[:, 0])
-        for name, cells in rows.columns.items()
-        if name not in but and any(cells) and all(number_of(cell) is not None for cell in cells if cell)
-    }

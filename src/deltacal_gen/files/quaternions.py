@@ -48,14 +48,12 @@ def with_vectors(rows: Rows, order: str, axes: Sequence[str]) -> Rows:
         )
     read = rows.numbers(*names)
     lengths = np.linalg.norm(read, axis=1)
-    if (bad := np.abs(lengths - 1) > LENGTH).any():
-        row = int(np.argmax(bad))
-        raise rows.error(
-            f"{', '.join(names)} are no rotation: a quaternion has the length 1, this one {lengths[row]:.4g}.",
-            "Correct the row, or blank its rotation; where these columns are something else, rename them.",
-            row=row,
-            column=names[0],
-        )
+    rows.refuse(
+        np.abs(lengths - 1) > LENGTH,
+        lambda k: f"{', '.join(names)} are no rotation: a quaternion has the length 1, this one {lengths[k]:.4g}.",
+        "Correct the row, or blank its rotation; where these columns are something else, rename them.",
+        column=names[0],
+    )
     vectors = (rotation_vector(read) / DEG).T.tolist()
     told = {name: ["" if isnan(v) else repr(v) for v in own] for name, own in zip(ROTATION, vectors, strict=True)}
     return dataclasses.replace(rows, columns=rows.without(names).columns | told)

@@ -160,7 +160,11 @@ def recording_of_rows(
         recording = _with_pairs(recording, pairs, rows, need_measured and kind.pairs)
     else:
         check_repeats(recording, rows)
-    if need_measured and recording.measurement.zero == "incremental" and _has_home(mechanism):
+    if (
+        need_measured
+        and recording.measurement.zero == "incremental"
+        and any(key.key == "home" for key in mechanism.geometry)
+    ):
         check_home(recording)
     label = rows.labels("run")
     run = [f"set-up '{setup_names[k]}'" for k in setup] if label is None else [f"run '{own}'" for own in label]
@@ -231,14 +235,10 @@ def _angles(rows: Rows, mechanism: Machine, turns: Sequence[str]) -> np.ndarray:
     angles = np.zeros((len(rows.line), 3))
     angles[:, [ROTATION.index(turn) for turn in turns]] = rows.numbers(*turns, blank=False) * DEG
     for turn in turns:
-        tilted = np.flatnonzero(np.abs(angles[:, ROTATION.index(turn)]) > NO_TURN)
-        if turn[1] not in mechanism.turns and len(tilted):
-            raise rows.error(
-                f"the platform of '{mechanism.name}' does not turn about {turn[1]}.",
-                "Write 0, or leave the column out.",
-                row=int(tilted[0]),
-                column=turn,
-            )
+        if turn[1] not in mechanism.turns:
+            tilted = np.abs(angles[:, ROTATION.index(turn)]) > NO_TURN
+            problem = f"the platform of '{mechanism.name}' does not turn about {turn[1]}."
+            rows.refuse(tilted, problem, "Write 0, or leave the column out.", column=turn)
     return angles
 
 
@@ -361,15 +361,14 @@ def _measured(rows: Rows, kind: Kind, columns: tuple[str, ...], need_measured: b
         return np.empty((len(rows.line), 0))
     if not need_measured and not set(columns) & set(rows.columns):
         return np.full((len(rows.line), len(columns)), np.nan)
+    factors = [DEG if name.endswith("_deg") else 1.0 for name in columns]
     if kind.apart and set(columns) & set(rows.columns):
-        there = [rows.numbers(n)[:, 0] if n in rows.columns else np.full(len(rows.line), np.nan) for n in columns]
-        return np.column_stack(there) * [DEG if name.endswith("_deg") else 1.0 for name in columns]
+        return rows.each(*columns) * factors
     for name, value in kind.filled.items():
         rows = rows.filled(name, value, next(n for n in columns if n != name))
     # what is in one unit is read together: a tracker may read a point without its rotation, but not part of a point
     units = [name.rpartition("_")[2] for name in columns]
     parts = [[name for name, u in zip(columns, units, strict=True) if u == unit] for unit in dict.fromkeys(units)]
-    factors = [DEG if name.endswith("_deg") else 1.0 for name in columns]
     return np.hstack([rows.numbers(*names) for names in parts]) * factors
 
 
@@ -389,36 +388,19 @@ def _channel(rows: Rows, name: str, doubtful: bool) -> np.ndarray | None:
     if name in RESERVED or JOINT.fullmatch(name):
         return None
     if name == "run" and any(cell and number_of(cell) is None for cell in rows.columns[name]):
-        return _counted(rows.columns[name])
+        numbers = {label: k for k, label in enumerate(dict.fromkeys(filter(None, rows.columns[name])), start=1)}
+        return np.array([numbers.get(label, np.nan) for label in rows.columns[name]])  # in the order of their names
     if not is_channel(name) and all(number_of(cell) is None for cell in rows.columns[name]):
         return None
     values = rows.numbers(name)[:, 0]
     if of_column(name).levels:
         values[values == 0] = np.nan  # one of its levels, but not known which
     wrong, expected = impossible(name, values)
-    if wrong.any() and not doubtful:
-        row = int(np.argmax(wrong))
-        problem = f"the cell holds '{rows.columns[name][row]}': {expected}."
-        raise rows.error(problem, "Correct the cell, or leave it blank if it is not known.", row=row, column=name)
+    remedy = "Correct the cell, or leave it blank if it is not known."
+    rows.refuse(
+        wrong & (not doubtful), lambda k: f"the cell holds '{rows.columns[name][k]}': {expected}.", remedy, column=name
+    )
     return values
-
-
-def _counted(labels: Sequence[str]) -> np.ndarray:
-    """Return names (N,) as numbers from 1, in the order in which they appear; NaN of a blank cell."""
-    numbers = {label: k for k, label in enumerate(dict.fromkeys(filter(None, labels)), start=1)}
-    return np.array([numbers.get(label, np.nan) for label in labels])
-
-
-def _has_home(mechanism: Machine) -> bool:
-    return any(key.key == "home" for key in mechanism.geometry)
-
-
-def _alike(recording: Recording, pairs: np.ndarray) -> np.ndarray:
-    """Return which pairs (K, 2) of rows have both ends at the same joints, or targets, and the same measured point."""
-    stands = recording.joints if recording.targets is None else recording.targets
-    at = stands if recording.tool is None else np.hstack([stands, np.nan_to_num(recording.tool)])
-    alike: np.ndarray = (at[pairs[:, 0]] == at[pairs[:, 1]]).all(axis=1)
-    return alike
 
 
 def _with_pairs(recording: Recording, pairs: Rows, rows: Rows, need_measured: bool) -> Recording:
@@ -426,55 +408,56 @@ def _with_pairs(recording: Recording, pairs: Rows, rows: Rows, need_measured: bo
         check_repeats(recording, rows)
         indices = np.arange(recording.n_rows).reshape(-1, 2)
     else:
-        row_of: dict[str, int] = {}
-        for row, label in enumerate(recording.pose.tolist()):
-            if row_of.setdefault(label, row) != row:
-                raise rows.error(
-                    f"pose '{label}' stands in line {rows.line[row_of[label]]} too, but distances name rows by it.",
-                    "Give every row a pose of its own.",
-                    row=row,
-                    column="pose",
-                )
-        pairs.require("pose_a", "pose_b")
-        for name in ("pose_a", "pose_b"):
-            for k, label in enumerate(pairs.columns[name]):
-                if label not in row_of:
-                    problem = f"{Path(recording.path).name} has no pose '{label}'."
-                    raise pairs.error(problem, "Correct the name or remove the row.", row=k, column=name)
-        indices = np.array([[row_of[label] for label in pairs.columns[name]] for name in ("pose_a", "pose_b")]).T
-        if (same := np.flatnonzero(indices[:, 0] == indices[:, 1])).size:
-            raise pairs.error("the pose is paired with itself.", "Name two poses.", row=int(same[0]), column="pose_b")
-    if need_measured or "distance_mm" in pairs.columns:
-        measured = pairs.numbers("distance_mm")[:, 0]
-    else:
-        measured = np.full(len(indices), np.nan)
-    if (negative := np.flatnonzero(measured < 0)).size:
-        row = int(negative[0])
-        raise pairs.error("a distance cannot be negative.", "Correct the cell.", row=row, column="distance_mm")
-    if (repeats := np.flatnonzero(np.isfinite(measured) & _alike(recording, indices))).size:
-        raise pairs.error(
-            "both ends of the distance have the same joints and measured point: a pose and its own repeat, which tell "
-            "nothing of the machine.",
-            "Remove the row.",
-            row=int(repeats[0]),
-        )
+        indices = _named_pairs(recording, pairs, rows)
+    if need_measured:
+        pairs.require("distance_mm")
+    measured = pairs.each("distance_mm")[:, 0]
+    pairs.refuse(measured < 0, "a distance cannot be negative.", "Correct the cell.", column="distance_mm")
+    stands = recording.joints if recording.targets is None else recording.targets
+    at = stands if recording.tool is None else np.hstack([stands, np.nan_to_num(recording.tool)])
+    alike = (at[indices[:, 0]] == at[indices[:, 1]]).all(axis=1)
+    pairs.refuse(
+        np.isfinite(measured) & alike,
+        "both ends of the distance have the same joints and measured point: a pose and its own repeat, which tell "
+        "nothing of the machine.",
+        "Remove the row.",
+    )
     return dataclasses.replace(recording, pairs=indices, pair_measured=measured, pair_line=pairs.line)
+
+
+def _named_pairs(recording: Recording, pairs: Rows, rows: Rows) -> np.ndarray:
+    """Return which two rows each distance (K, 2) lies between, by the names of their poses."""
+    poses = recording.pose.tolist()
+    first = {label: row for row, label in reversed([*enumerate(poses)])}
+    rows.refuse(
+        np.array([first[label] != row for row, label in enumerate(poses)]),
+        lambda k: f"pose '{poses[k]}' stands in line {rows.line[first[poses[k]]]} too, but distances name rows by it.",
+        "Give every row a pose of its own.",
+        column="pose",
+    )
+    pairs.require("pose_a", "pose_b")
+    a, b = pairs.columns["pose_a"], pairs.columns["pose_b"]
+    for name, cells in (("pose_a", a), ("pose_b", b)):
+        lost = np.array([label not in first for label in cells])
+        problem = f"{Path(recording.path).name} has no pose '{cells[int(np.argmax(lost))]}'."
+        pairs.refuse(lost, problem, "Correct the name or remove the row.", column=name)
+    pairs.refuse(np.array(a) == np.array(b), "the pose is paired with itself.", "Name two poses.", column="pose_b")
+    return np.array([[first[label] for label in cells] for cells in (a, b)]).T
 
 
 def is_recording(path: Path) -> bool:
     """Tell whether a table holds joints, and it or a file that belongs to it a reading; its values are not judged."""
 
-    def holds_reading(rows: Rows) -> bool:
-        return any(any(rows.columns[name]) for name in rows.columns if name in MEASURED)
-
-    def filled(table: Path, joints: bool) -> bool:
-        begun = read_csv(table, LOOKED_AT)
-        if joints and not any(JOINT.fullmatch(name) or _JOINT_OF_END.fullmatch(name) for name in begun.columns):
-            return False
-        return holds_reading(begun) or holds_reading(read_csv(table))
+    def filled(table: Path) -> bool:
+        return any(
+            any(any(begun.columns[name]) for name in begun.columns if name in MEASURED)
+            for begun in (read_csv(table, first) for first in (LOOKED_AT, None))
+        )
 
     try:
-        own = (distances_path(path), instrument_path(path))
-        return filled(path, True) or any(beside.exists() and filled(beside, False) for beside in own)
+        joints = any(JOINT.fullmatch(n) or _JOINT_OF_END.fullmatch(n) for n in read_csv(path, LOOKED_AT).columns)
+        return joints and any(
+            own.exists() and filled(own) for own in (path, distances_path(path), instrument_path(path))
+        )
     except InputError:
         return False

@@ -24,7 +24,7 @@ from pydantic import (
 )
 
 from deltacal_gen.errors import InputError, UsageError
-from deltacal_gen.files.toml import NonNegative, Number, Positive, Raw, Table, TomlFile, Vector, toml_text
+from deltacal_gen.files.toml import NonNegative, Number, Positive, Raw, Table, TomlFile, Vector, table_of, toml_text
 from deltacal_gen.machine.values import Link, Masses, Robot, Transmission, Workspace
 from deltacal_gen.results.parts import Named, RobotTables
 from deltacal_gen.units import file_unit, joint_factors, of_joints, to_file, to_internal
@@ -70,37 +70,9 @@ _Tensor: Any = _list(Number, 6)
 _Interval: Any = Annotated[_list(Number, 2), AfterValidator(_is_interval)]
 
 
-class _Workspace(Table):
-    """The table [workspace], of which `Workspace` is made."""
-
-    top: Positive | None = None
-    radius: Positive | None = None
-    width: Positive | None = None
-    height: Positive | None = None
-    turn: NonNegative | None = None
-
-
-class _Masses(Table):
-    """The table [masses], of which `Masses` are made."""
-
-    proximal: NonNegative = 0.0
-    proximal_com: Number = 0.5
-    distal_rod: NonNegative = 0.0
-    platform: NonNegative = 0.0
-    carriage: NonNegative | None = None
-    gravity: Vector = (0.0, 0.0, -9.81)
-    proximal_inertia: NonNegative | None = None
-    distal_inertia: NonNegative | None = None
-    rotor_inertia: NonNegative | None = None
-
-
-class _Transmission(Table):
-    """The table [transmission], of which `Transmission` is made."""
-
-    gear_ratio: Positive | None = None
-    encoder_counts: Positive | None = None
-    pulley_circumference: Positive | None = None
-    torque_constant_Nm_A: tuple[Positive, ...] | None = None
+_Workspace = table_of(Workspace, Positive, turn=NonNegative, layers=None)
+_Masses = table_of(Masses, NonNegative, proximal_com=Number, gravity=Vector)
+_Transmission = table_of(Transmission, Positive, torque_constant_Nm_A=tuple[Positive, ...])
 
 
 class _Joint(Table):
@@ -150,7 +122,7 @@ def robot_to_dict(robot: Robot, *, load: Loader | None = None) -> dict[str, Any]
     tables: dict[str, Any] = {"robot": {"name": robot.name, "mechanism": robot.mechanism}}
     if robot.drawn:
         tables["geometry"] = {"tool": [float(value) for value in robot.tool]}
-    parts: tuple[tuple[str, type[Table], object], ...] = (
+    parts = (
         ("workspace", _Workspace, robot.workspace),
         ("masses", _Masses, robot.masses),
         ("transmission", _Transmission, robot.transmission),
@@ -227,10 +199,7 @@ def for_names(robot: Robot, names: Iterable[str]) -> Robot:
 
 
 def _described(robot: Robot, what: str, fits: Callable[[Machine], bool]) -> Robot:
-    from deltacal_gen.machine.registry import described
-
-    mechanism = _registered(robot.mechanism, robot.links)
-    other = mechanism if fits(mechanism) else next(filter(fits, described(mechanism)), mechanism)
+    other = _variant(_registered(robot.mechanism, robot.links), fits)
     if foreign := sorted(name for name, value in robot.errors.items() if value and name not in other.index):
         raise UsageError(
             f"{what}: {other.name} has no {foreign[0]}, which the robot file names; errors of two kinds mix."
@@ -240,6 +209,13 @@ def _described(robot: Robot, what: str, fits: Callable[[Machine], bool]) -> Robo
         for table in (robot.errors, robot.tolerance)
     )
     return dataclasses.replace(robot, mechanism=other.name, errors=errors, tolerance=tolerance)
+
+
+def _variant(mechanism: Machine, fits: Callable[[Machine], bool]) -> Machine:
+    """Return the first description of a machine, its own before others, that fits; its own where none does."""
+    from deltacal_gen.machine.registry import described
+
+    return mechanism if fits(mechanism) else next(filter(fits, described(mechanism)), mechanism)
 
 
 def _joint_table(robot: Robot, k: int) -> dict[str, Any]:
@@ -284,18 +260,9 @@ def _links(file: TomlFile, joints: Sequence[_Joint]) -> tuple[Link, ...]:
                 'A coupling belongs to kind = "coupled", and only to it: coupling = {2 = -1.0}.',
                 "joint",
             )
-        found.append(
-            Link(
-                joint.kind,
-                joint.convention,
-                joint.alpha * to_internal("rad"),
-                joint.mass,
-                joint.com,
-                tuple(coupling),
-                joint.inertia,
-                joint.rotor_inertia,
-            )
-        )
+        own = {key: getattr(joint, key) for key in ("kind", "convention", "mass", "com", "inertia")}
+        alpha, rotor = joint.alpha * to_internal("rad"), joint.rotor_inertia
+        found.append(Link(**own, alpha=alpha, coupling=tuple(coupling), rotor_inertia=rotor))
     if found and not any(link.kind in ("revolute", "prismatic") for link in found):
         raise file.error("the chain has no joint that moves.", "Add a revolute or prismatic one.", "joint")
     return tuple(found)
@@ -354,28 +321,24 @@ def _robot(file: TomlFile, load: Loader | None) -> Robot:
     )
 
 
-def _workspace(file: TomlFile, said: _Workspace | None, mechanism: Machine) -> Workspace | None:
+def _workspace(file: TomlFile, said: Any, mechanism: Machine) -> Workspace | None:
     """Return a workspace that suits the mechanism; raises InputError where it has another shape."""
     if said is None:
         return None
-    given = said.model_fields_set
     if len(mechanism.axes) == 3:
-        shape, needed, known = "a cylinder", ("top", "radius", "height"), 3
+        needed: tuple[str, ...] = ("top", "radius", "height")
+        shape, known = "a cylinder", set[str]()
     elif mechanism.limbs > 1:
-        shape, needed, known = "a rectangle", ("top", "width", "height"), 3
+        shape, needed, known = "a rectangle", ("top", "width", "height"), set[str]()
     else:  # height and depth follow from the stroke
-        shape, needed, known = "a stroke", ("width", "top", "height"), 1
-    for key in needed[:known]:
-        if key not in given:
-            raise file.error(
-                f"'{key}' in [workspace] is missing; that of {mechanism.machine} is {shape}.",
-                f"Give {', '.join(needed[:known])} in mm.",
-                "workspace",
-            )
-    for key in sorted(given - set(needed) - ({"turn"} if mechanism.turning else set())):
+        shape, needed, known = "a stroke", ("width",), {"top", "height"}
+    known |= {*needed, *(["turn"] if mechanism.turning else [])}
+    missing = [(key, "is missing") for key in needed if key not in said.model_fields_set]
+    strange = [(key, "means nothing here") for key in sorted(said.model_fields_set - known)]
+    for key, what in (*missing, *strange):
         raise file.error(
-            f"'{key}' in [workspace] means nothing here; that of {mechanism.machine} is {shape}.",
-            f"Give {', '.join(needed[:known])} in mm.",
+            f"'{key}' in [workspace] {what}; that of {mechanism.machine} is {shape}.",
+            f"Give {', '.join(needed)} in mm.",
             "workspace",
             key,
         )
@@ -384,13 +347,9 @@ def _workspace(file: TomlFile, said: _Workspace | None, mechanism: Machine) -> W
 
 def _of_errors(file: TomlFile, mechanism: Machine) -> Machine:
     """Return which description of the machine has the errors and tolerances that a robot file names."""
-    from deltacal_gen.machine.registry import described
-
     tables = (file.data.get(name, {}) for name in ("errors", "tolerance"))
     names = {name for table in tables if isinstance(table, dict) for name in table}
-    if names <= mechanism.index.keys():
-        return mechanism
-    return next((m for m in described(mechanism) if names <= m.index.keys()), mechanism)
+    return _variant(mechanism, lambda m: names <= m.index.keys())
 
 
 class _Name(Table):
@@ -409,9 +368,9 @@ class _RobotFile(Table):
     """What does not depend on the mechanism; `_schema` adds geometry, joints, errors and tolerance."""
 
     robot: _Name
-    workspace: _Workspace | None = None
-    masses: _Masses | None = None
-    transmission: _Transmission | None = None
+    workspace: _Workspace | None = None  # type: ignore[valid-type]
+    masses: _Masses | None = None  # type: ignore[valid-type]
+    transmission: _Transmission | None = None  # type: ignore[valid-type]
     limits: dict[str, _Interval] = Field(default_factory=dict)
 
 
@@ -482,19 +441,22 @@ def _is_length(key: GeometryKey) -> bool:
 
 
 def _check_scale(file: TomlFile, mechanism: Machine, tables: Mapping[str, Mapping[str, Any]]) -> None:
-    lengths = [key for key in mechanism.geometry if key.unit == "mm" and tables[key.table][key.key] is not None]
-    if not lengths:
-        return
-    sizes = [float(np.abs(tables[key.table][key.key]).max()) for key in lengths]
-    key = lengths[int(np.argmax(sizes))]
-    if max(sizes) < SHORTEST_MACHINE or max(sizes) > LONGEST_LINK:
-        unit, factor = ("metres", "Multiply by") if max(sizes) < SHORTEST_MACHINE else ("micrometres", "Divide by")
+    keys = [key for key in mechanism.geometry if key.unit == "mm" and tables[key.table][key.key] is not None]
+    sizes = {key: float(np.abs(tables[key.table][key.key]).max()) for key in keys}
+    if sizes:
+        key = max(sizes, key=lambda k: sizes[k])
+        what = f"lengths in [{key.table}]", f"{key.key} = {sizes[key]:g}"
+        _check_length(file, sizes[key], what, SHORTEST_MACHINE, key.table, key.key)
+
+
+def _check_length(file: TomlFile, largest: float, what: tuple[str, str], shortest: float, *keys: str) -> None:
+    """Refuse lengths in metres or micrometres, by the largest one [mm]."""
+    if largest < shortest or largest > LONGEST_LINK:
+        unit, factor = ("metres", "Multiply by") if largest < shortest else ("micrometres", "Divide by")
         raise file.error(
-            f"the lengths in [{key.table}] look like {unit} (the largest is {key.key} = {max(sizes):g}); "
-            "the file is in millimetres.",
+            f"the {what[0]} look like {unit} (the largest is {what[1]}); the file is in millimetres.",
             f"{factor} 1000.",
-            key.table,
-            key.key,
+            *keys,
         )
 
 
@@ -523,11 +485,6 @@ def _check_chain(file: TomlFile, joints: Sequence[_Joint]) -> None:
             "joint",
         )
     longest = max(max(abs(joint.a), abs(joint.d)) for joint in joints)
-    short = 0 < longest < SHORTEST_MACHINE and all(joint.kind != "prismatic" for joint in joints)
-    if short or longest > LONGEST_LINK:
-        unit, factor = ("metres", "Multiply by") if short else ("micrometres", "Divide by")
-        raise file.error(
-            f"the lengths in [[joint]] look like {unit} (the largest is {longest:g}); the file is in millimetres.",
-            f"{factor} 1000.",
-            "joint",
-        )
+    slides = any(joint.kind == "prismatic" for joint in joints)
+    what = "lengths in [[joint]]", f"{longest:g}"
+    _check_length(file, longest, what, 0.0 if slides or not longest else SHORTEST_MACHINE, "joint")

@@ -5,8 +5,9 @@ from __future__ import annotations
 import contextlib
 import csv
 import dataclasses
+import itertools
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -59,6 +60,19 @@ class Rows:
         problem = f"in the sheet '{self.sheet}': {problem}" if self.sheet else problem
         return InputError(problem, remedy, file=self.path, line=line, column=column)
 
+    def refuse(
+        self, rows: np.ndarray, problem: str | Callable[[int], str], remedy: str, *, column: str | None = None
+    ) -> None:
+        """Raise for the first of the rows (N,) that are marked, if there is one."""
+        if rows.any():
+            row = int(np.argmax(rows))
+            raise self.error(problem if isinstance(problem, str) else problem(row), remedy, row=row, column=column)
+
+    def subset(self, kept: np.ndarray) -> Rows:
+        """Return the rows (N,) that are marked."""
+        columns = {name: list(itertools.compress(cells, kept)) for name, cells in self.columns.items()}
+        return dataclasses.replace(self, columns=columns, line=self.line[kept])
+
     def without(self, names: Iterable[str]) -> Rows:
         """Return the rows without these columns; one that is not there is no error."""
         dropped = set(names)
@@ -109,6 +123,19 @@ class Rows:
                 raise self.error(rest, "Fill it in, or blank them all.", row=row, column=name)
             raise self.error("the cell is blank.", "Fill it in, or remove the row.", row=row, column=name)
         return values
+
+    def each(self, *names: str) -> np.ndarray:
+        """(N, k) numbers of k columns, each for itself; one that is not there is blank."""
+        blank = np.full(len(self.line), np.nan)
+        return np.column_stack([self._column(name) if name in self.columns else blank for name in names])
+
+    def numeric(self, *but: str) -> dict[str, np.ndarray]:
+        """Return the other columns (N,) that hold numbers alone, and some, by their names."""
+        return {
+            name: self._column(name)
+            for name, cells in self.columns.items()
+            if name not in but and any(cells) and all(number_of(cell) is not None for cell in cells if cell)
+        }
 
     def _column(self, name: str) -> np.ndarray:
         values = np.full(len(self.line), np.nan)

@@ -10,7 +10,7 @@ from pydantic import AfterValidator, Field, ValidatorFunctionWrapHandler, WrapVa
 from pydantic_core import PydanticCustomError
 
 from deltacal_gen.files.columns import sidecar_path
-from deltacal_gen.files.toml import Number, Positive, Table, TomlFile, Vector, toml_text
+from deltacal_gen.files.toml import Number, Positive, Table, TomlFile, Vector, table_of, toml_text
 from deltacal_gen.instrument import kinds
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.values import UNKNOWN, Camera, Measurement, Recording
@@ -29,25 +29,16 @@ LEAST, MOST = 1e-12, 1e9  # noise in any unit: its square has to be a number
 Noise = Annotated[Positive, Field(ge=LEAST, le=MOST)]
 
 
-class CameraTable(Table):
-    """The table [measurement.camera], of which a `Camera` is made."""
-
-    fx_px: Annotated[Positive, WrapValidator(_lens)] = UNKNOWN
-    fy_px: Annotated[Positive, WrapValidator(_lens)] = UNKNOWN
-    cx_px: Lens = UNKNOWN
-    cy_px: Lens = UNKNOWN
-    k1: Lens = 0.0
-    k2: Lens = 0.0
-    p1: Lens = 0.0
-    p2: Lens = 0.0
-    k3: Lens = 0.0
-    rotation_deg: Vector = (0.0, 0.0, 0.0)
-    ball_radius_mm: Positive = UNKNOWN
-    place: Literal["platform", "fixed"] = "platform"
-
-    def value(self) -> Camera:
-        """Return the camera that the table describes."""
-        return Camera(**dict(self))
+_Focal = Annotated[Positive, WrapValidator(_lens)]
+_Camera = table_of(
+    Camera,
+    Lens,
+    fx_px=_Focal,
+    fy_px=_Focal,
+    rotation_deg=Vector,
+    ball_radius_mm=Positive,
+    place=Literal["platform", "fixed"],
+)
 
 
 def said_of(camera: Camera) -> dict[str, Any]:
@@ -70,24 +61,22 @@ def _kind_name(value: str) -> str:
     raise PydanticCustomError("literal_error", "one of {expected} was expected", {"expected": expected})
 
 
-class _Measurement(Table):
-    """The table [measurement] of a sidecar, of which `Measurement` is made."""
-
-    kind: Annotated[str, AfterValidator(_kind_name)] | None = None
-    frame: Literal["unknown", "robot"] = "unknown"
-    sigma_mm: Noise | None = None
-    sigma_deg: Noise | None = None
-    sigma_px: Noise | None = None
-    instrument: str | None = None
-    operator: str | None = None
-    zero: Literal["absolute", "incremental"] = "absolute"
-    base_point_mm: Vector | None = None
-    platform_point_mm: Vector | None = None
-    camera: CameraTable | None = None
-    board_scale: Literal["known", "unknown"] = "known"
-    clock: Clocks | None = None
-    clock_offset_s: Number | None = None
-    rotation: Literal["vector", "xyz", "xzy", "yxz", "yzx", "zxy", "zyx"] = "vector"
+_Measurement = table_of(
+    Measurement,
+    Noise,
+    kind=Annotated[str, AfterValidator(_kind_name)],
+    frame=Literal["unknown", "robot"],
+    instrument=str,
+    operator=str,
+    zero=Literal["absolute", "incremental"],
+    base_point_mm=Vector,
+    platform_point_mm=Vector,
+    camera=_Camera,
+    board_scale=Literal["known", "unknown"],
+    clock=Clocks,
+    clock_offset_s=Number,
+    rotation=Literal["vector", "xyz", "xzy", "yxz", "yzx", "zxy", "zyx"],
+)
 
 
 class _Contacts(Table):
@@ -97,8 +86,8 @@ class _Contacts(Table):
 class Sidecar(Table):
     """The tables of a sidecar."""
 
-    measurement: _Measurement = _Measurement()
-    camera: CameraTable | None = None
+    measurement: _Measurement = _Measurement()  # type: ignore[valid-type]
+    camera: _Camera | None = None  # type: ignore[valid-type]
     contacts: _Contacts = _Contacts()
 
 
@@ -123,8 +112,9 @@ def read_sidecar(path: Path) -> Sidecar:
 
 def measurement_of(sidecar: Sidecar) -> Measurement:
     """Return what a sidecar says of the measurement."""
-    camera = sidecar.camera or sidecar.measurement.camera
-    return Measurement(**dict(sidecar.measurement) | {"camera": None if camera is None else camera.value()})
+    said: Any = sidecar
+    camera = said.camera or said.measurement.camera
+    return Measurement(**dict(said.measurement) | {"camera": None if camera is None else Camera(**dict(camera))})
 
 
 def sidecar_text(recording: Recording) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import difflib
 import json
 import re
@@ -11,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any, TypeVar, get_args
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import BaseModel, ConfigDict, Field, ValidationError, create_model
 from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails
 
@@ -90,9 +91,10 @@ class TomlFile:
             what = f"'{key}'{where}" if tables else f"the table [{key}]"
             return self.error(f"{what} is missing.", f"Add it{f': {meaning}' if meaning else ''}.", *keys)
         entry = "".join(f", entry {n + 1}" for n in flaw["loc"] if isinstance(n, int))
+        expected = _EXPECTED.get(flaw["type"], flaw["msg"]).format(**flaw.get("ctx", {}))
         found = repr(flaw["input"])
         found = found if len(found) <= 60 else f"{found[:56]} ..."
-        return self.error(f"'{key}'{where}{entry} is {found}: {_expected(flaw)}.", "Correct the value.", *keys)
+        return self.error(f"'{key}'{where}{entry} is {found}: {expected}.", "Correct the value.", *keys)
 
 
 def _fields(schema: type[BaseModel], tables: Iterable[str]) -> dict[str, FieldInfo]:
@@ -106,33 +108,35 @@ def _fields(schema: type[BaseModel], tables: Iterable[str]) -> dict[str, FieldIn
     return dict(schema.model_fields)
 
 
-def _expected(flaw: ErrorDetails) -> str:
-    ctx = flaw.get("ctx", {})
-    match flaw["type"]:
-        case "float_type":
-            return "a number was expected"
-        case "finite_number":
-            return "a finite number was expected"
-        case "string_type":
-            return "a text in quotes was expected"
-        case "tuple_type":
-            return "a list was expected"
-        case "model_type" | "model_attributes_type":
-            return "a table was expected"
-        case "greater_than":
-            return "a number above 0 was expected"
-        case "greater_than_equal":
-            return f"a number not below {ctx['ge']:g} was expected"
-        case "less_than_equal":
-            return f"a number not above {ctx['le']:g} was expected"
-        case "too_short" | "too_long":
-            count = ctx.get("min_length", ctx.get("max_length"))
-            return f"{count} entries were expected"
-        case "literal_error":
-            return f"{ctx['expected']} was expected"
-        case "value_error":
-            return str(ctx["error"])
-    return str(flaw["msg"])
+_EXPECTED = {  # by the type of a flaw, with what pydantic knows of it
+    "float_type": "a number was expected",
+    "finite_number": "a finite number was expected",
+    "string_type": "a text in quotes was expected",
+    "tuple_type": "a list was expected",
+    "model_type": "a table was expected",
+    "model_attributes_type": "a table was expected",
+    "greater_than": "a number above 0 was expected",
+    "greater_than_equal": "a number not below {ge:g} was expected",
+    "less_than_equal": "a number not above {le:g} was expected",
+    "too_short": "{min_length} entries were expected",
+    "too_long": "{max_length} entries were expected",
+    "literal_error": "{expected} was expected",
+    "value_error": "{error}",
+}
+
+
+def table_of(value: type, number: Any, /, **others: Any) -> Any:
+    """Return the table of which a value is made: the fields of its class, numbers of one kind but for `others`.
+
+    A field whose default is None may be absent; one for which None is given is no key of the file.
+    """
+    kinds = {f.name: (others.get(f.name, number), f.default) for f in dataclasses.fields(value)}
+    fields: dict[str, Any] = {
+        name: (kind | None if default is None else kind, default)
+        for name, (kind, default) in kinds.items()
+        if kind is not None
+    }
+    return create_model(value.__name__, __base__=Table, **fields)
 
 
 _HEADER = re.compile(r"""\s*\[\[?\s*([A-Za-z_"'][\w."' -]*?)\s*\]\]?\s*(?:#.*)?$""")

@@ -18,7 +18,7 @@ from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.columns import instrument_path
 from deltacal_gen.files.recording import recording_of_rows
 from deltacal_gen.files.rows import Rows, read_table
-from deltacal_gen.files.sidecar import read_sidecar
+from deltacal_gen.files.sidecar import measurement_of, read_sidecar
 from deltacal_gen.motion import trajectories
 from deltacal_gen.motion.derivatives import motion
 from deltacal_gen.physics import splines
@@ -295,9 +295,10 @@ def two_clocks(path: Path, machine: Machine, *, need_measured: bool = True, **ho
         A file cannot be used, or runs of one are not in the other.
     """
     sidecar = read_sidecar(path)
-    if (said := sidecar.measurement.clock) is None:
+    said = measurement_of(sidecar)
+    if said.clock is None:
         return None
-    kind = sidecar.measurement.kind or "position"
+    kind = said.kind or "position"
     motion_of = trajectories.Sidecar.model_validate({"measurement": {"kind": kind}})
     joints, readings, time, run = _both(path, machine, motion_of)
     samples = Samples(joints.joints, joints.time, joints.piece)
@@ -305,8 +306,8 @@ def two_clocks(path: Path, machine: Machine, *, need_measured: bool = True, **ho
     spacing = splines.chosen_spacing(samples, 2, units)
     recording = recording_of_rows(readings.without({"run"}), sidecar, machine, need_measured=need_measured, **how)
     return TwoClocks(
-        clock=said,
-        offset=sidecar.measurement.clock_offset_s,
+        clock=said.clock,
+        offset=said.clock_offset_s,
         path=recording.path,
         line=recording.line,
         recording=recording,

@@ -5,18 +5,17 @@ What is wrong in a file is an error with its line and column, or is put right an
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar, Literal
+from typing import TYPE_CHECKING, ClassVar, Literal
 
 import numpy as np
 
 from deltacal_gen.errors import InputError
 from deltacal_gen.files.columns import DRIVE, sidecar_path
 from deltacal_gen.files.logged import increasing, logged
-from deltacal_gen.files.rows import Rows, number_of, read_table
+from deltacal_gen.files.rows import Rows, read_table
 from deltacal_gen.files.sidecar import Clocks, Noise
 from deltacal_gen.files.toml import Number, Table, TomlFile
 from deltacal_gen.physics.proportion import LONGEST_SPIKE, out_of_proportion
@@ -270,19 +269,19 @@ def trajectories(
     again, repairs = increasing(rows.path, rows.line, time, run, [f"run '{name}'" for name in run_names])
     kept = ~again
     repaired = set(rows.line[~kept].tolist())
-    rows = _subset(rows, kept)
+    rows = rows.subset(kept)
     unit, limbs = machine.joint_unit, machine.limbs
     factors, names = np.array(joint_factors(unit, limbs)), joint_names(unit, limbs)
     columns, units = _read_columns(rows, machine, need_measured)
     _not_speeds_alone(rows, names, joint_names(unit, limbs, SPEEDS))
     joints = rows.numbers(*names, blank=False)
-    readings = _numbers(rows, columns)
+    readings = rows.each(*columns)
     time, run = time[kept], run[kept]
     if need_measured:
         kept, said = logged(rows, pieces_of(time, run), joints, readings, columns)
         repairs += said
         repaired |= set(rows.line[~kept].tolist())
-        rows = _subset(rows, kept)
+        rows = rows.subset(kept)
         time, run, joints, readings = (values[kept] for values in (time, run, joints, readings))
     joints = joints * factors
     piece = pieces_of(time, run)
@@ -291,9 +290,8 @@ def trajectories(
     repairs += said
     repaired |= lines
     recorded = np.array(
-        [_numbers(rows, joint_names(unit, limbs, pattern)) * factors for pattern in (SPEEDS, ACCELERATIONS)]
+        [rows.each(*joint_names(unit, limbs, pattern)) * factors for pattern in (SPEEDS, ACCELERATIONS)]
     )
-    others = {*rows.columns} - {*names, *columns, TIME, "run", "pose", "setup"}
     found = Trajectories(
         path=rows.path,
         joint_unit=unit,
@@ -307,7 +305,7 @@ def trajectories(
         columns=columns,
         units=units,
         recorded=recorded,
-        channels={name: _channel(rows, name) for name in rows.columns if name in others and _is_channel(rows, name)},
+        channels=rows.numeric(*names, *columns, TIME, "run", "pose", "setup"),
         said=sidecar,
         setups=tuple(rows.labels("setup", blank=False) or ()),
         repairs=tuple(repairs),
@@ -347,15 +345,6 @@ def _put_right(
             for k, value in spikes.items()
         ]
     return repairs, lines
-
-
-def _subset(rows: Rows, kept: np.ndarray) -> Rows:
-    """Return some rows of a table."""
-    if kept.all():
-        return rows
-    chosen = np.flatnonzero(kept)
-    columns = {name: [cells[k] for k in chosen] for name, cells in rows.columns.items()}
-    return dataclasses.replace(rows, columns=columns, line=rows.line[chosen])
 
 
 def _in_one_piece(rows: Rows, run: np.ndarray, names: tuple[str, ...]) -> None:
@@ -410,22 +399,6 @@ def _not_speeds_alone(rows: Rows, joints: Sequence[str], speeds: Sequence[str]) 
                 'weight or stops do. derivatives = "velocity recorded" under [motion] then takes the speeds as given.',
                 column=joint,
             )
-
-
-def _numbers(rows: Rows, names: Any) -> Array:
-    """Return columns (N, k), each for itself; a column that is not there is blank."""
-    blank = np.full(len(rows.line), np.nan)
-    return np.column_stack([rows.numbers(name)[:, 0] if name in rows.columns else blank for name in names])
-
-
-def _is_channel(rows: Rows, name: str) -> bool:
-    cells = [cell for cell in rows.columns[name] if cell]
-    return bool(cells) and all(number_of(cell) is not None for cell in cells)
-
-
-def _channel(rows: Rows, name: str) -> Array:
-    found: Array = rows.numbers(name)[:, 0]
-    return found
 
 
 def temperature(given: Trajectories) -> Array | None:

@@ -16,7 +16,7 @@ import numpy as np
 from deltacal_gen.errors import InputError
 from deltacal_gen.files.columns import JOINT
 from deltacal_gen.files.imported import Imported, recorded, robot_with, write_import
-from deltacal_gen.files.lists import GROUP, POINT, joints_of, numeric_columns, points_of, read_list
+from deltacal_gen.files.lists import GROUP, POINT, joints_of, points_of, read_list
 from deltacal_gen.files.rows import Rows
 from deltacal_gen.instrument.kinds import POINTS
 from deltacal_gen.machine.registry import Array
@@ -74,9 +74,7 @@ def import_points(
         pose=np.array([names[i] for i in taken]),
         line=listed.line[taken],
         channels={
-            name: values[of_row]
-            for name, values in numeric_columns(table, POINT, GROUP).items()
-            if not JOINT.fullmatch(name)
+            name: values[of_row] for name, values in table.numeric(POINT, GROUP).items() if not JOINT.fullmatch(name)
         },
         setup=np.array([setups.index(groups[i]) for i in taken]),
         setup_names=tuple(name or "points" for name in setups),
