@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -18,3 +18,8 @@ def naming(file: Path) -> Iterator[None]:
         if error.file is not None:
             raise
         raise InputError(error.problem, error.remedy, file=file, line=error.line, column=error.column) from None
+
+
+def listed(names: Sequence[str], most: int) -> str:
+    """Return names as a message lists them: the first ones, as many as `most`."""
+    return ", ".join(names[:most]) + " ..." * (len(names) > most)

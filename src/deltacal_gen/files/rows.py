@@ -31,7 +31,7 @@ from deltacal_gen.files.dialect import (
     text_of,
     with_header,
 )
-from deltacal_gen.files.naming import naming
+from deltacal_gen.files.naming import listed, naming
 from deltacal_gen.files.toml import nearest
 
 WORKBOOKS = (".xlsx", ".xlsm")
@@ -91,8 +91,7 @@ class Rows:
             problem = f"the column is missing; '{close}' looks like it." if close else "the column is missing."
             remedy = f"Rename it to '{name}' and give it{unit}." if close else f"Add it{unit}, or correct the header."
             if not close and others:
-                several = f"{', '.join(others[:SHOWN])}{' ...' if len(others) > SHOWN else ''}"
-                remedy += f" Other columns are {several}."
+                remedy += f" Other columns are {listed(others, SHOWN)}."
             raise self.error(problem, remedy, column=name)
 
     def filled(self, name: str, value: float, beside: str) -> Rows:

@@ -18,7 +18,7 @@ from pydantic import Field
 
 from deltacal_gen.errors import DeltacalError, InputError, UsageError
 from deltacal_gen.files.imported import Imported, robot_with, write_import
-from deltacal_gen.files.naming import naming
+from deltacal_gen.files.naming import listed, naming
 from deltacal_gen.files.quaternions import rotation_vector
 from deltacal_gen.files.samples import Samples, imported, join
 from deltacal_gen.files.toml import Table, TomlFile
@@ -155,8 +155,7 @@ def _chosen(
 
 
 def _listed(topics: Mapping[str, str]) -> str:
-    each = [f"{topic} ({kind})" for topic, kind in sorted(topics.items())]
-    return (", ".join(each[:FEW]) + (" ..." if len(each) > FEW else "")) or "none"
+    return listed([f"{topic} ({kind})" for topic, kind in sorted(topics.items())], FEW) or "none"
 
 
 # ------------------------------------------------------------------------------------------------------ of a message

@@ -16,7 +16,7 @@ from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.dialect import length_mm, text_of
 from deltacal_gen.files.imported import Imported, robot_with, write_import
 from deltacal_gen.files.lists import joints_in_time
-from deltacal_gen.files.naming import naming
+from deltacal_gen.files.naming import listed, naming
 from deltacal_gen.files.quaternions import rotation_vector
 from deltacal_gen.files.rows import Rows, number_of
 from deltacal_gen.files.samples import Samples, imported, join
@@ -69,12 +69,12 @@ def import_c3d(
 
 def _chosen(captured: Captured, asked: str | None) -> str:
     names = [n for n, samples in captured.items() if np.isfinite(samples.values).any()]
-    listed = ", ".join(names[:FEW]) + (" ..." if len(names) > FEW else "")
+    known = listed(names, FEW) or "none"
     if asked is not None and asked not in names:
-        raise InputError(f"'{asked}' was not captured.", f"There are {listed or 'none'}.")
+        raise InputError(f"'{asked}' was not captured.", f"There are {known}.")
     if asked is None and len(names) != 1:
         found = f"{len(names)} markers were captured" if names else "no marker was captured"
-        raise InputError(f"{found}.", f"Name one, --readings NAME; there are {listed or 'none'}.")
+        raise InputError(f"{found}.", f"Name one, --readings NAME; there are {known}.")
     return asked or names[0]
 
 

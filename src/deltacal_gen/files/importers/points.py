@@ -8,7 +8,6 @@ in its group is a repeat. The joints of each point come from a second table, by 
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -17,6 +16,7 @@ from deltacal_gen.errors import InputError
 from deltacal_gen.files.columns import JOINT
 from deltacal_gen.files.imported import Imported, recorded, robot_with, write_import
 from deltacal_gen.files.lists import GROUP, POINT, joints_of, points_of, read_list
+from deltacal_gen.files.naming import listed
 from deltacal_gen.files.rows import Rows
 from deltacal_gen.instrument.kinds import POINTS
 from deltacal_gen.machine.registry import Array
@@ -48,8 +48,8 @@ def import_points(
     InputError
         A cell that is no number, an angle without a unit, no point that both files name.
     """
-    listed, table = read_list(Path(points)), read_list(Path(joints))
-    groups, names = points_of(listed)
+    measured, table = read_list(Path(points)), read_list(Path(joints))
+    groups, names = points_of(measured)
     table_groups, table_names = points_of(table)
     q, units = joints_of(table)
     machine, _ = robot_with(robot, q.shape[1], table.path)
@@ -58,21 +58,21 @@ def import_points(
     taken = [i for i, j in enumerate(rows) if j is not None]
     if not taken:
         raise InputError(
-            f"no point of the list ({_few(names)}) is in the table of joints ({_few(table_names)}).",
+            f"no point of the list ({listed(names, FEW)}) is in the table of joints ({listed(table_names, FEW)}).",
             "Name the points alike in both files.",
             file=table.path,
         )
     of_row = np.array([j for j in rows if j is not None])
     setups = list(dict.fromkeys(groups[i] for i in taken))
     recording = recorded(
-        listed.path,
+        measured.path,
         POINTS,
         units,
         q[of_row],
         POSITION,
-        listed.numbers(*POSITION)[taken],
+        measured.numbers(*POSITION)[taken],
         pose=np.array([names[i] for i in taken]),
-        line=listed.line[taken],
+        line=measured.line[taken],
         channels={
             name: values[of_row] for name, values in table.numeric(POINT, GROUP).items() if not JOINT.fullmatch(name)
         },
@@ -81,19 +81,15 @@ def import_points(
     )
     warnings = []
     if lost := [names[i] for i, j in enumerate(rows) if j is None]:
-        warnings.append(f"{len(lost)} points have no joints ({_few(lost)})")
+        warnings.append(f"{len(lost)} points have no joints ({listed(lost, FEW)})")
     if idle := [name for j, name in enumerate(table_names) if j not in set(of_row.tolist())]:
-        warnings.append(f"{len(idle)} joints have no point ({_few(idle)})")
-    if turns := [name for name in listed.columns if ROTATION.fullmatch(name)]:
+        warnings.append(f"{len(idle)} joints have no point ({listed(idle, FEW)})")
+    if turns := [name for name in measured.columns if ROTATION.fullmatch(name)]:
         warnings.append(
             f"{', '.join(turns)} are not read: a list is of positions. Rotations stand in a recording of kind pose, as "
             "rx_deg, ry_deg, rz_deg; its sidecar says what their angles are"
         )
     return write_import(Imported(machine, {"recording": recording}, tuple(warnings)), output)
-
-
-def _few(names: Sequence[str]) -> str:
-    return ", ".join(names[:FEW]) + " ..." * (len(names) > FEW)
 
 
 def _rows_of_points(table: Rows, groups: list[str], names: list[str], q: Array) -> dict[tuple[str, str], int]:
