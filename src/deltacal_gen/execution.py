@@ -1,47 +1,42 @@
-"""Many independent tasks on any executor: what is done is kept, what fails is listed, and workers change no result.
+"""Many independent tasks on the workers of joblib: what is done is kept, and workers change no result.
 
 A task is a module's function and arguments that can be pickled; its result is JSON. Its key is a hash of all that the
 result depends on, so that a run directory holds each result once, can be stopped, copied and resumed anywhere. Random
-numbers belong to the task, not to the worker. No more tasks are in flight than keep the workers busy.
+numbers belong to the task, not to the worker.
 """
 
 from __future__ import annotations
 
-import concurrent.futures
 import functools
 import hashlib
 import json
-import multiprocessing
 import os
 import signal
-import sys
 import threading
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from concurrent.futures import Executor, Future, ProcessPoolExecutor
-from concurrent.futures.process import BrokenProcessPool
-from contextlib import contextmanager
-from dataclasses import dataclass
-from multiprocessing.connection import Connection
+import time
+import warnings
+from collections.abc import Callable, Generator, Iterable, Iterator
+from contextlib import closing, contextmanager, nullcontext, suppress
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import deltacal_kernels
 
 from deltacal_gen.errors import DeltacalError, InputError
+from deltacal_gen.files.writing import write_files
 from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.results.base import Json
 
-AHEAD = 2  # tasks in flight per worker: one at work, one waiting
-HELD = 8  # results per worker that wait in memory for an earlier one
-LIVES = 3  # workers that may end over one task before it counts as failed
 CONNECT_S = 5.0  # for a scheduler to answer
+WATCH_S = 0.5  # after which a worker notices that the process which has started it is gone
 FOLDER = "tasks"
 
 Told = Callable[[int, int, str], None]
+Function = Callable[..., Json]
+Pool = Callable[[Iterable[Any]], Any]  # does jobs of joblib, and yields what they return as they end
 
 
-@dataclass(frozen=True)
-class Task:
+class Task(NamedTuple):
     """What is to be done.
 
     Attributes
@@ -59,28 +54,14 @@ class Task:
     arguments: Callable[[], tuple[Any, ...]]
 
 
-@dataclass(frozen=True)
-class Outcome:
-    """What became of a task: its result, or in words why there is none."""
+class Outcome(NamedTuple):
+    """What became of a task: its result, or in words why there is none; `final` where it would be so another time."""
 
     key: str
     label: str
     result: Json | None
     error: str | None = None
-
-
-@dataclass(frozen=True)
-class Attempt:
-    """What a worker says of a task: its result or what went wrong, and whether that would be so another time too."""
-
-    result: Json | None
-    error: str | None
-    kept: bool
-
-    @classmethod
-    def failed(cls, error: str, *, kept: bool = False) -> Attempt:
-        """Return an attempt that has no result."""
-        return cls(None, error, kept)
+    final: bool = False
 
 
 @functools.cache
@@ -102,11 +83,39 @@ def content_key(*parts: object) -> str:
     return digest.hexdigest()[:32]
 
 
+class Store:
+    """Results by key, each a file that is complete or not there."""
+
+    def __init__(self, directory: Path) -> None:
+        self.folder = directory / FOLDER  # and in it 256 folders: 10^5 files in one are slow on network drives
+        try:
+            self.folder.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise InputError(f"cannot be made: {error.strerror}.", "Choose another folder.", file=directory) from None
+
+    def get(self, key: str, label: str = "") -> Outcome | None:
+        """Return the outcome of a task that was done, or None."""
+        try:
+            data = json.loads(self._file(key).read_text(encoding="utf-8"))
+        except (OSError, json.JSONDecodeError):
+            return None
+        return Outcome(key, label, data["result"], data["error"], final=True)
+
+    def put(self, outcome: Outcome) -> None:
+        """Keep an outcome."""
+        file = self._file(outcome.key)
+        with suppress(OSError):  # which says itself, as the file cannot be written
+            file.parent.mkdir(exist_ok=True)
+        write_files({file: json.dumps({"result": outcome.result, "error": outcome.error})})
+
+    def _file(self, key: str) -> Path:
+        return self.folder / key[:2] / f"{key}.json"
+
+
 def run(
-    function: Callable[..., Json],
+    function: Function,
     tasks: Iterable[Task],
     *,
-    total: int,
     workers: int | None = None,
     cluster: str | None = None,
     directory: str | Path | None = None,
@@ -119,332 +128,136 @@ def run(
     function : callable
         Of a module, so that a worker can import it.
     tasks : iterable of Task
-        Read as workers become free.
-    total : int
-        How many there are, for the progress.
+        Their arguments are asked for as workers become free.
     workers : int, optional
         Local processes; default one per core, and with 1 everything is done in this process.
     cluster : str, optional
         Address of a Dask scheduler, ``tcp://HOST:PORT``, instead of local processes.
     directory : path, optional
-        Results are kept there and not made again. A failure of the input is a result; one of a worker is tried again
-        by the next run.
+        Results are kept there as they end, and not made again. A failure of the input is a result; one of a worker is
+        tried again by the next run.
     told : callable
-        Called with tasks done, `total` and the label of the one that has just ended.
+        Called with tasks done, how many there are and the label of the one that has just ended.
 
     Raises
     ------
     InputError
         No scheduler answers at `cluster`, or the directory cannot be written.
     """
-    store = None if directory is None else Store(Path(directory))
-    with _pool(workers, cluster) as pool:
-        yield from _Run(function, pool, store, total, told).outcomes(iter(tasks))
+    store, every = None if directory is None else Store(Path(directory)), list(tasks)
+    early: dict[int, Outcome] = {}  # of tasks that have ended before their turn
+    left = {n: task for n, task in enumerate(every) if store is None or store.get(task.key) is None}
+    with _pool(workers, cluster) as pool, closing(_ended(function, left.copy(), pool)) as ended:
+        for at, task in enumerate(every):
+            while at in left and at not in early:
+                number, outcome = next(ended)
+                if store is not None and outcome.final:
+                    store.put(outcome)
+                early[number] = outcome
+                told(at + len(early), len(every), outcome.label)
+            if at not in left:
+                told(at + len(early) + 1, len(every), task.label)
+            found = early.pop(at, None) or (None if store is None else store.get(task.key, task.label))
+            if found is None:
+                raise InputError("a result that was there is gone.", "Run again.", file=directory)
+            yield found
 
 
-class Store:
-    """Results by key, each a file that is complete or not there."""
+def _ended(
+    function: Function, left: dict[int, Task], pool: Pool, alone: bool = False
+) -> Generator[tuple[int, Outcome], None, None]:
+    """Yield outcomes as tasks end, behind their numbers.
 
-    def __init__(self, directory: Path) -> None:
-        self.folder = directory / FOLDER  # and in it 256 folders: 10^5 files in one are slow on network drives
+    A worker that ends takes the pool with it; over which of the tasks in flight it ended is not known: each of them is
+    done again alone.
+    """
+    while left:
+        begun: list[int] = []
+        results = pool(_jobs(function, list(left.items()), begun))
         try:
-            self.folder.mkdir(parents=True, exist_ok=True)
-        except OSError as error:
-            raise InputError(f"cannot be made: {error.strerror}.", "Choose another folder.", file=directory) from None
+            for number, outcome in results:
+                del left[number]
+                yield number, outcome
+        except Exception as error:
+            if alone:
+                number, task = left.popitem()
+                words = f"its worker ended, out of memory or killed: {type(error).__name__}: {error}".partition(". ")[0]
+                yield number, Outcome(task.key, task.label, None, words)
+            for number in [n for n in begun if n in left]:
+                yield from _ended(function, {number: left.pop(number)}, pool, alone=True)
+        finally:
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")  # of what is under way when nobody waits for it any more
+                results.close()
 
-    def get(self, key: str) -> Attempt | None:
-        """Return what became of a task that was done, or None."""
+
+def _jobs(function: Function, tasks: list[tuple[int, Task]], begun: list[int]) -> Iterator[Any]:
+    """Yield what workers are handed; of a task whose arguments, such as a file, cannot be had, that."""
+    from joblib import delayed
+
+    for number, task in tasks:
+        begun.append(number)
         try:
-            data = json.loads(self._file(key).read_text(encoding="utf-8"))
-        except (OSError, json.JSONDecodeError):
-            return None
-        return Attempt(data["result"], data["error"], kept=True)
-
-    def outcome(self, task: Task) -> Outcome | None:
-        """Return the outcome of a task that was done, or None."""
-        found = self.get(task.key)
-        return None if found is None else Outcome(task.key, task.label, found.result, found.error)
-
-    def has(self, key: str) -> bool:
-        """Tell whether a task was done."""
-        return self._file(key).exists()
-
-    def put(self, outcome: Outcome) -> None:
-        """Keep an outcome."""
-        file = self._file(outcome.key)
-        whole = file.with_suffix(f".{os.getpid()}")
-        try:
-            file.parent.mkdir(exist_ok=True)
-            whole.write_text(json.dumps({"result": outcome.result, "error": outcome.error}), encoding="utf-8")
-            whole.replace(file)
-        except OSError as error:
-            raise InputError(
-                f"a result cannot be written: {error.strerror}.",
-                "What was done before is kept; run again when there is room, or where it may be written.",
-                file=self.folder,
-            ) from None
-
-    def _file(self, key: str) -> Path:
-        return self.folder / key[:2] / f"{key}.json"
+            yield delayed(_attempt)(number, Outcome(task.key, task.label, None), function, task.arguments())
+        except DeltacalError as error:
+            yield delayed(tuple)((number, Outcome(task.key, task.label, None, str(error))))
 
 
-class _Processes(ProcessPoolExecutor):
-    """Local processes that end when this one closes a pipe that they watch, or ends itself, however it does."""
-
-    def __init__(self, count: int) -> None:
-        context = multiprocessing.get_context("fork" if _alone() else "spawn")
-        watched, self._held = context.Pipe(duplex=False)
-        super().__init__(count, mp_context=context, initializer=_begin, initargs=(watched, self._held))
-
-    def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
-        """End the processes at once, whatever they are doing, and the threads that served them."""
-        self._held.close()
-        super().shutdown(cancel_futures=True)
-
-
-def _alone() -> bool:
-    """Tell whether this process can be forked safely: no other thread, of Python or not, may hold a lock."""
-    return sys.platform == "linux" and len(os.listdir("/proc/self/task")) == 1
-
-
-def _begin(watched: Connection, held: Connection) -> None:
-    """Begin a worker: what the keyboard sends is for the process that has started it."""
-    held.close()
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    threading.Thread(target=_end_with, args=(watched,), daemon=True).start()
-
-
-def _end_with(watched: Connection) -> None:
+def _attempt(number: int, of: Outcome, function: Function, arguments: tuple[Any, ...]) -> tuple[int, Outcome]:
+    """Return what became of a task, behind its number; runs on the worker."""
     try:
-        watched.recv_bytes()
-    except EOFError:
-        os._exit(1)
-
-
-@dataclass(frozen=True)
-class _Pool:
-    """An executor that can be made anew after its processes have ended."""
-
-    make: Callable[[], Executor] | None
-    width: int
+        with using(Backend.COMPILED):
+            return number, of._replace(result=function(*arguments), final=True)
+    except DeltacalError as error:
+        return number, of._replace(error=str(error), final=True)
+    except Exception as error:  # one recording must not end a fleet's night
+        return number, of._replace(error=f"{type(error).__name__}: {error}")
 
 
 @contextmanager
-def _pool(workers: int | None, cluster: str | None) -> Iterator[_Pool]:
-    if cluster is not None:
-        with _dask(cluster) as pool:
-            yield pool
-        return
-    count = workers if workers is not None else os.cpu_count() or 1
-    if count <= 1:
-        yield _Pool(None, 1)
-        return
-    # a core to each worker: matrices here are small, and threads of the linear algebra would only wait for one another
-    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-    yield _Pool(lambda: _Processes(count), count)
+def _pool(workers: int | None, cluster: str | None) -> Iterator[Pool]:
+    """Yield what does jobs of joblib, and yields their results as they end."""
+    from joblib import Parallel, parallel_config
+
+    client = None if cluster is None else _client(cluster)
+    how: dict[str, Any] = {"backend": "dask", "client": client}
+    if client is None:  # a core to each worker: matrices are small, threads of linear algebra wait for one another
+        how = {"backend": "loky", "inner_max_num_threads": 1, "initializer": _begin, "initargs": (os.getpid(),)}
+    count = -1 if client is not None or workers is None else workers
+
+    def done(jobs: Iterable[Any]) -> Any:
+        with parallel_config(**how):
+            return Parallel(count, return_as="generator_unordered", batch_size=1, max_nbytes=None)(jobs)
+
+    with client or nullcontext():
+        yield done
 
 
-@contextmanager
-def _dask(address: str) -> Iterator[_Pool]:
+def _begin(parent: int) -> None:
+    """Begin a worker: it ends with the process that has started it, and what the keyboard sends is for that one."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    threading.Thread(target=_end_without, args=(parent,), daemon=True).start()
+
+
+def _end_without(parent: int) -> None:
+    while os.getppid() == parent:
+        time.sleep(WATCH_S)
+    os._exit(1)
+
+
+def _client(address: str) -> Any:
+    """Return a client of the Dask scheduler at an address."""
     try:
         from distributed import Client
     except ImportError:
-        raise InputError(
-            "a cluster needs Dask, which is not installed.",
-            "pip install 'deltacal_gen[cluster]', or leave --cluster out.",
-        ) from None
+        remedy = "pip install 'deltacal_gen[cluster]', or leave --cluster out."
+        raise InputError("a cluster needs Dask, which is not installed.", remedy) from None
     if "://" not in address:
         raise InputError(f"'{address}' is no address of a scheduler.", "Give tcp://HOST:PORT.")
     try:
-        client = Client(address, timeout=CONNECT_S, set_as_default=False)
+        return Client(address, timeout=CONNECT_S, set_as_default=False)
     except (OSError, ValueError, TimeoutError) as error:
         raise InputError(
             f"no scheduler answers at {address} within {CONNECT_S:g} s ({type(error).__name__}).",
             "Start one (dask scheduler), or give its address: tcp://HOST:PORT. What was done before is kept.",
         ) from None
-    try:
-        width = sum(client.nthreads().values())
-        yield _Pool(lambda: client.get_executor(pure=False), max(width, 1))
-    finally:
-        client.close()
-
-
-def attempt(function: Callable[..., Json], arguments: tuple[Any, ...]) -> Attempt:
-    """Return what became of a task; runs on the worker."""
-    try:
-        with using(Backend.COMPILED):
-            return Attempt(function(*arguments), None, kept=True)
-    except DeltacalError as error:
-        return Attempt.failed(str(error), kept=True)
-    except Exception as error:  # one recording must not end a fleet's night
-        return Attempt.failed(f"{type(error).__name__}: {error}")
-
-
-class _Line:
-    """Tasks on their way: at work, to be tried again since their worker ended, or done before their turn."""
-
-    def __init__(self, tasks: Iterator[Task], width: int, store: Store | None) -> None:
-        self.flying: dict[Future[Attempt], tuple[int, Task]] = {}
-        self.deaths: dict[str, int] = {}
-        self._width, self._store = width, store
-        self._upcoming, self._more = enumerate(tasks), True
-        self._waiting: list[tuple[int, Task]] = []
-        self._following = 0
-        self._done: dict[int, Outcome] = {}
-        self._kept: dict[int, Task] = {}  # done, and in the directory until its turn: a long task holds nobody up
-
-    @property
-    def empty(self) -> bool:
-        return not self._more and not self._waiting
-
-    def take(self) -> tuple[int, Task] | None:
-        """Return the next task for a worker; None where nobody is free, or nothing is left to do.
-
-        Whoever was at work when a worker ended is tried alone, so that nobody pays for another.
-        """
-        if len(self.flying) >= (1 if self._waiting else AHEAD * self._width):
-            return None
-        if self._waiting:
-            return self._waiting.pop(0)
-        if len(self._done) >= HELD * self._width:
-            return None
-        taken = next(self._upcoming, None)
-        self._more = taken is not None
-        return taken
-
-    def try_again(self, tasks: Sequence[tuple[int, Task]]) -> None:
-        self._waiting = sorted([*self._waiting, *tasks], key=lambda w: w[0])
-
-    def end(self, number: int, task: Task, outcome: Outcome) -> None:
-        if number != self._following and self._store is not None and self._store.has(task.key):
-            self._kept[number] = task
-        else:
-            self._done[number] = outcome
-
-    def due(self) -> Iterator[Outcome | Task]:
-        """Yield what is done up to the first that is not; of what is in the directory, the task."""
-        while (at := self._following) in self._done or at in self._kept:
-            yield self._done.pop(at) if at in self._done else self._kept.pop(at)
-            self._following += 1
-
-
-class _Run:
-    def __init__(
-        self,
-        function: Callable[..., Json],
-        pool: _Pool,
-        store: Store | None,
-        total: int,
-        told: Told,
-    ) -> None:
-        self.function, self.pool, self.store, self.total, self.told = function, pool, store, total, told
-        self.ended = 0
-
-    def outcomes(self, tasks: Iterator[Task]) -> Iterator[Outcome]:
-        if self.pool.make is None:
-            for task in tasks:
-                yield self._known(task) or self._close(task, self._done_here(task))
-            return
-        yield from self._in_order(tasks)
-
-    def _done_here(self, task: Task) -> Attempt:
-        try:
-            arguments = task.arguments()
-        except DeltacalError as error:  # a file that has gone, or cannot be read
-            return Attempt.failed(str(error))
-        return attempt(self.function, arguments)
-
-    def _known(self, task: Task) -> Outcome | None:
-        outcome = None if self.store is None else self.store.outcome(task)
-        if outcome is not None:
-            self._tell(task.label)
-        return outcome
-
-    def _close(self, task: Task, said: Attempt) -> Outcome:
-        outcome = Outcome(task.key, task.label, said.result, said.error)
-        if self.store is not None and said.kept:
-            self.store.put(outcome)
-        self._tell(task.label)
-        return outcome
-
-    def _tell(self, label: str) -> None:
-        self.ended += 1
-        self.told(self.ended, self.total, label)
-
-    def _in_order(self, tasks: Iterator[Task]) -> Iterator[Outcome]:
-        """Keep the workers busy, and yield outcomes by the order of the tasks."""
-        assert self.pool.make is not None
-        executor, line = self.pool.make(), _Line(tasks, self.pool.width, self.store)
-        try:
-            while True:
-                while (taken := line.take()) is not None:
-                    number, task = taken
-                    begun = self._begun(task, executor, again=task.key in line.deaths)
-                    if isinstance(begun, Outcome):
-                        line.end(number, task, begun)
-                    else:
-                        line.flying[begun] = (number, task)
-                for due in line.due():
-                    yield due if isinstance(due, Outcome) else self._kept(due)
-                if not line.flying:
-                    if line.empty:
-                        return
-                    continue
-                ready, _ = concurrent.futures.wait(line.flying, return_when=concurrent.futures.FIRST_COMPLETED)
-                lost: list[tuple[int, Task]] = []  # at work, or about to be, when a worker ended
-                for future in ready:
-                    number, task = line.flying.pop(future)
-                    if (outcome := self._ended(task, future)) is None:
-                        lost.append((number, task))
-                    else:
-                        line.end(number, task, outcome)
-                if lost:
-                    lost += line.flying.values()
-                    line.flying.clear()
-                    executor.shutdown(wait=False)
-                    executor = self.pool.make()
-                    line.try_again(self._survivors(lost, line))
-        finally:
-            for future in line.flying:
-                future.cancel()
-            executor.shutdown(wait=False)
-
-    def _begun(self, task: Task, executor: Executor, *, again: bool) -> Future[Attempt] | Outcome:
-        """Hand a task to a worker; return its outcome where it is known, or where its arguments cannot be had."""
-        if not again and (known := self._known(task)) is not None:
-            return known
-        try:
-            arguments = task.arguments()
-        except DeltacalError as error:
-            return self._close(task, Attempt.failed(str(error)))
-        return executor.submit(attempt, self.function, arguments)
-
-    def _ended(self, task: Task, future: Future[Attempt]) -> Outcome | None:
-        """Return the outcome of a task that a worker had; None where the worker ended."""
-        try:
-            return self._close(task, future.result())
-        except BrokenProcessPool:
-            return None
-        except DeltacalError:  # the directory cannot be written
-            raise
-        except Exception as error:  # of the cluster: a worker lost for good, a result that cannot travel
-            return self._close(task, Attempt.failed(f"{type(error).__name__}: {error}"))
-
-    def _kept(self, task: Task) -> Outcome:
-        assert self.store is not None
-        outcome = self.store.outcome(task)
-        if outcome is None:
-            raise InputError("a result that was there is gone.", "Run again.", file=self.store.folder)
-        return outcome
-
-    def _survivors(self, lost: list[tuple[int, Task]], line: _Line) -> list[tuple[int, Task]]:
-        """Return the tasks to be tried again after a worker ended; which one ended it is not known."""
-        left = []
-        for number, task in lost:
-            line.deaths[task.key] = line.deaths.get(task.key, 0) + 1
-            if line.deaths[task.key] >= LIVES * AHEAD:
-                words = "the worker ended every time: out of memory, or killed"
-                line.end(number, task, self._close(task, Attempt.failed(words)))
-            else:
-                left.append((number, task))
-        return left

@@ -9,13 +9,14 @@ import subprocess
 import sys
 import time
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from deltacal_gen import InputError, execution
-from deltacal_gen.execution import AHEAD, HELD, Task, content_key, run
+from deltacal_gen.execution import Task, content_key, run
 
 ROOT = Path(__file__).resolve().parents[2]
 PATIENCE_S = 300.0  # before a test that waits for something gives up: no measure of speed
@@ -64,57 +65,56 @@ def squares(outcomes: Any) -> list[int | None]:
 @pytest.mark.parametrize("workers", [1, 2])
 def test_outcomes_come_in_the_order_of_the_tasks(workers: int) -> None:
     told: list[int] = []
-    found = run(square, numbered(20), total=20, workers=workers, told=lambda done, total, label: told.append(done))
+    found = run(square, numbered(20), workers=workers, told=lambda done, total, label: told.append(done))
     assert squares(found) == [n * n for n in range(20)]
     assert told == list(range(1, 21))
 
 
 @pytest.mark.parametrize("workers", [1, 2])
 def test_what_fails_is_told_and_does_not_stop_the_rest(workers: int) -> None:
-    found = list(run(refuse, numbered(5), total=5, workers=workers))
+    found = list(run(refuse, numbered(5), workers=workers))
     assert squares(found) == [0, 1, None, None, 16]
     assert found[2].error == "two cannot be squared. Take three."
     assert found[3].error == "ZeroDivisionError: three"
 
 
 def test_what_is_done_is_not_done_again_and_a_workers_failure_is(tmp_path: Path) -> None:
-    list(run(refuse, numbered(5), total=5, workers=1, directory=tmp_path))
-    again = list(run(square, numbered(5), total=5, workers=1, directory=tmp_path))
+    list(run(refuse, numbered(5), workers=1, directory=tmp_path))
+    again = list(run(square, numbered(5), workers=1, directory=tmp_path))
     assert squares(again) == [0, 1, None, 9, 16]  # the input's failure is a result; the other is tried again
     assert not list(tmp_path.rglob("*.[0-9]*")), "nothing half-written is left"
 
 
 def test_a_result_that_was_cut_off_is_made_again(tmp_path: Path) -> None:
-    list(run(square, numbered(2), total=2, workers=1, directory=tmp_path))
+    list(run(square, numbered(2), workers=1, directory=tmp_path))
     file = next((tmp_path / "tasks").rglob("*.json"))
     file.write_text(file.read_text()[:5])
-    assert squares(run(square, numbered(2), total=2, workers=1, directory=tmp_path)) == [0, 1]
+    assert squares(run(square, numbered(2), workers=1, directory=tmp_path)) == [0, 1]
     assert json.loads(file.read_text())["error"] is None
 
 
 def test_a_killed_worker_loses_nothing(tmp_path: Path) -> None:
     marker = str(tmp_path / "killed")
-    found = list(run(die_once, numbered(8, marker), total=8, workers=2))
+    found = list(run(die_once, numbered(8, marker), workers=2))
     assert Path(marker).exists()
     assert squares(found) == [n * n for n in range(8)]
 
 
 @pytest.mark.walk
 def test_a_task_that_ends_every_worker_fails_alone() -> None:
-    found = list(run(die_always, numbered(6), total=6, workers=2))
+    found = list(run(die_always, numbered(6), workers=2))
     assert squares(found) == [0, None, 4, 9, 16, 25]
     assert "worker ended" in str(found[1].error)
 
 
-def test_no_more_tasks_are_made_than_the_workers_need() -> None:
+def test_no_more_arguments_are_made_than_the_workers_need() -> None:
     made: list[int] = []
 
-    def tasks() -> Iterator[Task]:
-        for task in numbered(60):
-            made.append(1)
-            yield task
+    def arguments(n: int) -> tuple[int]:
+        made.append(n)
+        return (n,)
 
-    outcomes = run(slowly, tasks(), total=60, workers=2)
+    outcomes = run(slowly, [Task(content_key(n), str(n), partial(arguments, n)) for n in range(60)], workers=2)
     next(outcomes)
     assert len(made) <= 4 + 16
     outcomes.close()  # type: ignore[attr-defined]
@@ -131,22 +131,22 @@ def one_slow(n: int, folder: str, others: int) -> dict[str, Any]:
 
 
 @pytest.mark.parametrize("kept", [False, True])
-def test_a_long_task_holds_up_only_what_a_directory_does_not_keep(kept: bool, tmp_path: Path) -> None:
-    ended: list[str] = []
-    marks, directory, workers = tmp_path / "marks", tmp_path / "run", 2
+def test_a_long_task_holds_up_nobody_and_what_has_ended_is_kept_at_once(kept: bool, tmp_path: Path) -> None:
+    marks, directory, count = tmp_path / "marks", tmp_path / "run", 40
     marks.mkdir()
-    ahead = (HELD + AHEAD) * workers  # what may be done, and under way, before task 0
-    count = 2 * ahead
-    outcomes = run(
-        one_slow,
-        numbered(count, str(marks), count - 1 if kept else HELD * workers),
-        total=count,
-        workers=workers,
-        directory=directory if kept else None,
-        told=lambda d, t, label: ended.append(label),
-    )
+    ended: list[str] = []
+    files: list[int] = []
+
+    def told(done: int, total: int, label: str) -> None:
+        assert (done, total) == (len(ended) + 1, count)
+        ended.append(label)
+        files.append(len(list(directory.rglob("*.json"))))
+
+    tasks = numbered(count, str(marks), count - 1)
+    outcomes = run(one_slow, tasks, workers=2, directory=directory if kept else None, told=told)
     assert squares(outcomes) == [n * n for n in range(count)]
-    assert (ended.index("0") > ahead) == kept
+    assert ended[-1] == "0"
+    assert files == (list(range(1, count + 1)) if kept else [0] * count)
 
 
 def test_a_task_whose_files_have_gone_fails_alone() -> None:
@@ -154,7 +154,7 @@ def test_a_task_whose_files_have_gone_fails_alone() -> None:
         raise InputError("cannot be read.", "Look at the file.")
 
     for workers in (1, 2):
-        found = list(run(square, [*numbered(2), Task("x", "gone", gone)], total=3, workers=workers))
+        found = list(run(square, [*numbered(2), Task("x", "gone", gone)], workers=workers))
         assert squares(found) == [0, 1, None]
         assert "cannot be read" in str(found[2].error)
 
@@ -163,15 +163,15 @@ def test_a_directory_that_cannot_be_written_is_said(tmp_path: Path) -> None:
     (tmp_path / "tasks").write_text("a file")
     for workers in (1, 2):
         with pytest.raises(InputError, match="cannot be made"):
-            list(run(square, numbered(3), total=3, workers=workers, directory=tmp_path))
+            list(run(square, numbered(3), workers=workers, directory=tmp_path))
     (tmp_path / "tasks").unlink()
     (tmp_path / "tasks").mkdir()
     for start in "0123456789abcdef":
         for more in "0123456789abcdef":
             (tmp_path / "tasks" / (start + more)).write_text("a file")
     for workers in (1, 2):
-        with pytest.raises(InputError, match="a result cannot be written"):
-            list(run(square, numbered(3), total=3, workers=workers, directory=tmp_path))
+        with pytest.raises(InputError, match="the file cannot be written"):
+            list(run(square, numbered(3), workers=workers, directory=tmp_path))
 
 
 def forever(n: int, folder: str) -> dict[str, Any]:
@@ -194,7 +194,7 @@ def test_workers_end_with_the_process_that_has_started_them(tmp_path: Path, stop
     # a job that a shell starts in the background ignores Ctrl-C, and so would what it starts
     heard = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)"
     tasks = f"t.numbered(4, {str(tmp_path)!r})"
-    code = f"{heard}\nfrom tests.app import test_execution as t\nlist(t.run(t.forever, {tasks}, total=4, workers=2))"
+    code = f"{heard}\nfrom tests.app import test_execution as t\nlist(t.run(t.forever, {tasks}, workers=2))"
     here = {**os.environ, "PYTHONPATH": os.pathsep.join([str(ROOT), *sys.path])}
     process = subprocess.Popen([sys.executable, "-c", code], env=here, stderr=subprocess.PIPE)
     until = time.monotonic() + PATIENCE_S
@@ -217,11 +217,11 @@ def test_workers_end_with_the_process_that_has_started_them(tmp_path: Path, stop
 def test_an_address_without_a_scheduler_is_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     pytest.importorskip("distributed", reason="Dask is not installed")
     monkeypatch.setattr(execution, "CONNECT_S", 0.5)  # nobody answers, however long it is waited
-    list(run(square, numbered(2), total=2, workers=1, directory=tmp_path))
+    list(run(square, numbered(2), workers=1, directory=tmp_path))
     with pytest.raises(InputError, match=r"no scheduler answers at tcp://127\.0\.0\.1:9"):
-        list(run(square, numbered(4), total=4, cluster="tcp://127.0.0.1:9", directory=tmp_path))
+        list(run(square, numbered(4), cluster="tcp://127.0.0.1:9", directory=tmp_path))
     with pytest.raises(InputError, match="'nonsense' is no address"):
-        list(run(square, numbered(4), total=4, cluster="nonsense"))
+        list(run(square, numbered(4), cluster="nonsense"))
     assert len(list((tmp_path / "tasks").rglob("*.json"))) == 2
 
 
@@ -264,7 +264,7 @@ def test_a_cluster_gives_what_local_workers_give_though_one_is_killed(
 ) -> None:
     address, workers = cluster
     found = []
-    for outcome in run(slowly, numbered(16), total=16, cluster=address):
+    for outcome in run(slowly, numbered(16), cluster=address):
         found.append(outcome)
         if len(found) == 3:
             workers[0].kill()

@@ -310,7 +310,7 @@ def conduct(
             keys[job.label] = key
             yield Task(key, job.label, partial(given, job))
 
-    outcomes = run(do, tasks(), total=len(open_), **where)
+    outcomes = run(do, tasks(), **where)
     rows = []
     for job in todo:
         outcome = Outcome("", job.label, None, job.refused) if job.refused is not None else next(outcomes)
@@ -347,7 +347,7 @@ def _unpacked(
             key, _ = _key(functools.partial(_contents, session.files), "import", session.kind)
             yield Task(key, session.label, functools.partial(_imported_from, session))
 
-    outcomes = run(unpack, tasks(), total=len(sessions), **where)
+    outcomes = run(unpack, tasks(), **where)
     for item in found:
         if isinstance(item, Job):
             yield item

@@ -61,10 +61,6 @@ class Study:
     seed: int = 0
     chunk: ClassVar[int] = 500
 
-    def prepare(self) -> None:
-        """Work out what all machines share."""
-        self.problem if self.sees_joints else self.check  # noqa: B018  # each is worked out where it is first asked for
-
     def __getstate__(self) -> dict[str, Any]:
         """Return the fields alone: a worker works out the rest itself."""
         return {f.name: getattr(self, f.name) for f in dataclasses.fields(self)}

@@ -117,9 +117,8 @@ def _conduct(
         )
     trials, mark = 0 if joints else trials, study.fingerprint()
     study = once(study, mark)
-    study.prepare()
     todo = tasks(study, mark, trials, diagnoses)
-    outcomes = run(work, todo, total=len(todo), workers=workers, cluster=cluster, directory=directory, told=told)
+    outcomes = run(work, todo, workers=workers, cluster=cluster, directory=directory, told=told)
     done = [next(outcomes)]
     more = None if joints else advice(study)  # while the workers are at work
     done += outcomes

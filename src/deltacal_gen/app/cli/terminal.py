@@ -114,13 +114,10 @@ class Terminal:
 
         columns = (BarColumn(), MofNCompleteColumn(), TimeRemainingColumn(), TextColumn("{task.description}"))
         hidden = self.as_json or self.quiet or not self._aside.is_terminal
-        # drawn when a task has ended, not by a thread: a process of one thread can be forked into workers
-        with Progress(*columns, console=self._aside, disable=hidden, transient=True, auto_refresh=False) as progress:
+        with Progress(*columns, console=self._aside, disable=hidden, transient=True) as progress:
             bar = progress.add_task("", total=None)
             try:
-                yield lambda done, total, label: progress.update(
-                    bar, completed=done, total=total, description=label, refresh=True
-                )
+                yield lambda done, total, label: progress.update(bar, completed=done, total=total, description=label)
             except KeyboardInterrupt:
                 self.warn("stopped; what a run directory holds is kept, and the same command goes on from there")
                 raise
