@@ -247,7 +247,7 @@ def unpack(kind: str, files: Contents) -> Json:
     """
     with laid_out(files) as folder:
         out = folder / "imported"
-        made = importers.importer(kind).read(*(folder / name for name in files), output=out)
+        made = importers.importer(kind)(*(folder / name for name in files), output=out)
         recordings = {}
         for name in made.recordings:
             ends = (".csv", *OWN)

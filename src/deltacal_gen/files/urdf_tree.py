@@ -16,6 +16,7 @@ from xml.parsers import expat
 import numpy as np
 
 from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.files.naming import listed
 from deltacal_gen.files.rows import number_of
 from deltacal_gen.files.toml import nearest, read_bytes
 from deltacal_gen.machine.rotation import Array, from_turns, from_vector
@@ -27,22 +28,64 @@ ABSURD_TURN = 2.001 * math.pi  # rad: a roll, pitch or yaw beyond a turn was wri
 LARGEST = 1e60  # no quantity of a robot is larger, and its square is a number, too
 NONE = 1e3  # rad, m, and by the second: larger limits stand for none
 LISTED = 20  # links, where one is not known
-INERTIA = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
 SPOKEN = {"sdf": "SDF, of Gazebo", "mujoco": "MJCF, of MuJoCo", "html": "a page of the web", "COLLADA": "a mesh"}
 
 
 @dataclass(frozen=True)
-class Tag:
-    """An element of XML and the line where it begins."""
+class Placed:
+    """What begins in a line of the file."""
+
+    line: int
+
+    def error(self, problem: str, remedy: str) -> InputError:
+        """Return an error at its line."""
+        return InputError(problem, remedy, line=self.line)
+
+
+@dataclass(frozen=True)
+class Tag(Placed):
+    """An element of XML: its attributes, and what is inside."""
 
     name: str
     said: dict[str, str]
-    line: int
     inside: list[Tag] = field(default_factory=list)
 
     def __getitem__(self, name: str) -> Tag:
         """Return the first element of a name in this one; an empty one where there is none."""
-        return next((tag for tag in self.inside if tag.name == name), Tag(name, {}, self.line))
+        return next((tag for tag in self.inside if tag.name == name), Tag(self.line, name, {}))
+
+    def text(self, key: str) -> str:
+        """Return an attribute; raise InputError where it is not there."""
+        if text := self.said.get(key, "").strip():
+            return text
+        raise self.error(f"<{self.name}> has no {key}.", f'Add {key}="...".')
+
+    def numbers(self, key: str, default: str | None, count: int = 1) -> list[float]:
+        """Return the numbers of an attribute; raise InputError where they are others than `count` finite ones."""
+        text = self.text(key) if default is None else self.said.get(key, default)
+        numbers = [number_of(word) for word in text.split()]
+        found = [n for n in numbers if n is not None and abs(n) < LARGEST]
+        if len(found) == len(numbers) == count:
+            return found
+        wanted = "a number was" if count == 1 else f"{count} numbers with blanks between them were"
+        remedy = "This is xacro: run `xacro x.xacro > x.urdf` and give x.urdf." if "$" in text else "Correct it."
+        raise self.error(f'{key}="{text}" in <{self.name}>: {wanted} expected.', remedy)
+
+    def number(self, key: str, default: str | None = None) -> float:
+        """Return the number of an attribute."""
+        return self.numbers(key, default)[0]
+
+    @property
+    def frame(self) -> Array:
+        """The frame (4, 4) of an <origin> [mm]."""
+        out, angles = np.eye(4), self.numbers("rpy", "0 0 0", 3)
+        if max(map(abs, angles)) > ABSURD_TURN:
+            problem = f'rpy="{self.said["rpy"]}" is more than a turn: degrees, where URDF has radians.'
+            raise self.error(problem, "Multiply by pi / 180.")
+        if any(angles):
+            out[:3, :3] = from_turns("xyz", np.array([angles]))[0]
+        out[:3, 3] = MM * np.array(self.numbers("xyz", "0 0 0", 3))
+        return out
 
 
 @dataclass(frozen=True)
@@ -60,7 +103,7 @@ class Body:
 
 
 @dataclass(frozen=True)
-class Joint:
+class Joint(Placed):
     """A joint of the file.
 
     Attributes
@@ -76,7 +119,6 @@ class Joint:
         The highest [rad/s or mm/s].
     mimics : (str, float, float) or None
         Joint that it follows, how much of that, and from where [rad or mm].
-    line : int
     """
 
     name: str
@@ -88,7 +130,6 @@ class Joint:
     limits: tuple[float, float] | None
     speed: float | None
     mimics: tuple[str, float, float] | None
-    line: int
 
     @property
     def moves(self) -> bool:
@@ -130,29 +171,26 @@ class Tree:
         self.below: dict[str, list[Joint]] = {}
         for tag in root.inside:
             if tag.name == "link":
-                name = self._text(tag, "name")
+                name = tag.text("name")
                 if name in self.bodies:
-                    raise self.error(f"there are two links '{name}'.", "Give each its own name.", tag.line)
-                self.bodies[name], self.below[name] = self._body(tag, name), []
-        named = dict[str, Joint]()
-        for tag in root.inside:
-            if tag.name == "joint":
-                joint = self._joint(tag)
-                if joint.name in named:
-                    raise self.error(f"there are two joints '{joint.name}'.", "Give each its own name.", tag.line)
-                named[joint.name] = joint
-                self._hang(joint)
-        if not named:
-            raise self.error(
+                    raise tag.error(f"there are two links '{name}'.", "Give each its own name.")
+                self.bodies[name], self.below[name] = _body(tag, name), []
+        joints = [_joint(tag) for tag in root.inside if tag.name == "joint"]
+        for k, joint in enumerate(joints):
+            if joint.name in {other.name for other in joints[:k]}:
+                raise joint.error(f"there are two joints '{joint.name}'.", "Give each its own name.")
+            self._hang(joint)
+        if not joints:
+            raise root.error(
                 "there is no joint in the file.",
                 "Give the whole robot's URDF; what ROS keeps as robot_description is one.",
-                root.line,
             )
-        self._check_cycles(named)
-
-    def error(self, problem: str, remedy: str, line: int) -> InputError:
-        """Return an error at a line of the file."""
-        return InputError(problem, remedy, file=self.path, line=line)
+        reached = [link for link in self.bodies if link not in self.above]
+        for link in reached:
+            reached += [joint.child for joint in self.below[link]]
+        if lost := [joint for joint in joints if joint.child not in set(reached)]:
+            names = ", ".join(f"'{joint.name}'" for joint in lost)
+            raise lost[0].error(f"joints lead in a circle, from no root: {names}.", "Correct a parent or a child.")
 
     def climb(self, link: str) -> Iterator[Joint]:
         """Yield the joints from a link up to the root."""
@@ -186,170 +224,98 @@ class Tree:
 
     def check_link(self, link: str, option: str) -> None:
         """Raise UsageError where there is no link of a name."""
-        if link in self.bodies:
-            return
-        close = nearest(link, self.bodies)
-        known = [*self.bodies][:LISTED]
-        hint = f"did you mean '{close}'?" if close else f"it has {', '.join(known)}{', ...' * (len(known) == LISTED)}."
-        raise UsageError(f"{option}: {self.path} has no link '{link}'; {hint}")
+        if link not in self.bodies:
+            close = nearest(link, self.bodies)
+            hint = f"did you mean '{close}'?" if close else f"it has {listed([*self.bodies], LISTED)}."
+            raise UsageError(f"{option}: {self.path} has no link '{link}'; {hint}")
 
     def _hang(self, joint: Joint) -> None:
         for what, link in (("parent", joint.parent), ("child", joint.child)):
             if link not in self.bodies:
-                raise self.error(
+                raise joint.error(
                     f"the {what} of joint '{joint.name}' is '{link}', which is no link of the file.",
                     f'Correct the name, or add <link name="{link}"/>.',
-                    joint.line,
                 )
-        if joint.child in self.above:
-            raise self.error(
-                f"link '{joint.child}' hangs on two joints, '{self.above[joint.child].name}' and '{joint.name}': a "
-                "loop, which URDF cannot say.",
+        if (other := self.above.get(joint.child)) is not None:
+            raise joint.error(
+                f"link '{joint.child}' hangs on two joints, '{other.name}' and '{joint.name}': a loop, which URDF "
+                "cannot say.",
                 "Leave out the joint that closes the loop.",
-                joint.line,
             )
         self.above[joint.child] = joint
         self.below[joint.parent].append(joint)
 
-    def _check_cycles(self, joints: dict[str, Joint]) -> None:
-        reached = [link for link in self.bodies if link not in self.above]
-        for link in reached:
-            reached += [joint.child for joint in self.below[link]]
-        lost = [joint for joint in joints.values() if joint.child not in set(reached)]
-        if lost:
-            names = ", ".join(f"'{joint.name}'" for joint in lost)
-            raise self.error(
-                f"joints lead in a circle, from no root: {names}.", "Correct a parent or a child.", lost[0].line
-            )
 
-    def _text(self, tag: Tag, key: str) -> str:
-        if text := tag.said.get(key, "").strip():
-            return text
-        raise self.error(f"<{tag.name}> has no {key}.", f'Add {key}="...".', tag.line)
+def _body(link: Tag, name: str) -> Body | None:
+    """Return what a link weighs; None where it does not say."""
+    tag = link["inertial"]
+    if not any(inner is tag for inner in link.inside):
+        return None
+    mass = tag["mass"].number("value")
+    if mass < 0:
+        raise tag["mass"].error(f"link '{name}' weighs {mass:g} kg.", "Correct its mass.")
+    tensor = [[tag["inertia"].number("i" + "".join(sorted(a + b)), "0") for b in "xyz"] for a in "xyz"]
+    return Body(mass, np.zeros(3), KG_MM2 * np.array(tensor)).seen(tag["origin"].frame)
 
-    def _numbers(self, tag: Tag, key: str, default: str | None, count: int = 1) -> list[float]:
-        """Return the numbers of an attribute; raise InputError where they are others than `count` finite ones."""
-        text = tag.said.get(key, default)
-        if text is None:
-            raise self.error(f"<{tag.name}> has no {key}.", "Add it.", tag.line)
-        numbers = [number_of(word) for word in text.split()]
-        found = [n for n in numbers if n is not None and abs(n) < LARGEST]
-        if len(found) == len(numbers) == count:
-            return found
-        wanted = "a number was" if count == 1 else f"{count} numbers with blanks between them were"
-        remedy = "Correct it."
-        if "$" in text:
-            remedy = "This is xacro: run `xacro x.xacro > x.urdf` and give x.urdf."
-        raise self.error(f'{key}="{text}" in <{tag.name}>: {wanted} expected.', remedy, tag.line)
 
-    def _number(self, tag: Tag, key: str, default: str | None = None) -> float:
-        return self._numbers(tag, key, default)[0]
-
-    def _frame(self, tag: Tag) -> Array:
-        """Return the frame (4, 4) of an <origin> [mm]."""
-        out, angles = np.eye(4), self._numbers(tag, "rpy", "0 0 0", 3)
-        if max(map(abs, angles)) > ABSURD_TURN:
-            raise self.error(
-                f'rpy="{tag.said["rpy"]}" is more than a turn: degrees, where URDF has radians.',
-                "Multiply by pi / 180.",
-                tag.line,
-            )
-        if any(angles):
-            out[:3, :3] = from_turns("xyz", np.array([angles]))[0]
-        out[:3, 3] = MM * np.array(self._numbers(tag, "xyz", "0 0 0", 3))
-        return out
-
-    def _body(self, link: Tag, name: str) -> Body | None:
-        tag = link["inertial"]
-        if not any(inner is tag for inner in link.inside):
-            return None
-        mass = self._number(tag["mass"], "value")
-        if mass < 0:
-            raise self.error(f"link '{name}' weighs {mass:g} kg.", "Correct its mass.", tag["mass"].line)
-        said = dict(zip(INERTIA, (self._number(tag["inertia"], key, "0") for key in INERTIA), strict=True))
-        tensor = np.array([[said["i" + "".join(sorted(a + b))] for b in "xyz"] for a in "xyz"])
-        return Body(mass, np.zeros(3), KG_MM2 * tensor).seen(self._frame(tag["origin"]))
-
-    def _joint(self, tag: Tag) -> Joint:
-        name, kind = self._text(tag, "name"), self._text(tag, "type")
-        if kind not in KINDS:
-            raise self.error(f"joint '{name}' is of the type '{kind}'.", f"Types are {', '.join(KINDS)}.", tag.line)
-        axis = np.array(self._numbers(tag["axis"], "xyz", "1 0 0", 3))
-        if kind != "fixed" and not 1e-6 < (length := float(np.linalg.norm(axis))) < 1e6:
-            raise self.error(f"the axis of joint '{name}' has no direction.", "Correct its xyz.", tag["axis"].line)
-        unit = MM if kind in SLIDING else 1.0
-        limit, limits = tag["limit"], None
-        low, high = (unit * self._number(limit, key, "0") for key in ("lower", "upper"))
-        if kind in ("revolute", "prismatic") and low != high:
-            if low > high:
-                raise self.error(
-                    f"the limits of joint '{name}' are {low / unit:g} and {high / unit:g}: lower is above upper.",
-                    "Exchange them.",
-                    limit.line,
-                )
-            limits = (low, high) if max(-low, high) < NONE * unit else None
-        speed = unit * self._number(limit, "velocity", "0")
-        mimic = tag["mimic"]
-        return Joint(
-            name=name,
-            kind=kind,
-            parent=self._text(tag["parent"], "link"),
-            child=self._text(tag["child"], "link"),
-            origin=self._frame(tag["origin"]),
-            axis=axis / length if kind != "fixed" else axis,
-            limits=limits,
-            speed=speed if 0 < speed < NONE * unit else None,
-            mimics=None
-            if "joint" not in mimic.said
-            else (
-                mimic.said["joint"],
-                self._number(mimic, "multiplier", "1"),
-                unit * self._number(mimic, "offset", "0"),
-            ),
-            line=tag.line,
-        )
+def _joint(tag: Tag) -> Joint:
+    """Return a joint; raise InputError where it says what cannot be."""
+    name, kind, limit, mimic = tag.text("name"), tag.text("type"), tag["limit"], tag["mimic"]
+    if kind not in KINDS:
+        raise tag.error(f"joint '{name}' is of the type '{kind}'.", f"Types are {', '.join(KINDS)}.")
+    axis = np.array(tag["axis"].numbers("xyz", "1 0 0", 3))
+    length = float(np.linalg.norm(axis)) if kind != "fixed" else 1.0
+    if not 1e-6 < length < 1e6:
+        raise tag["axis"].error(f"the axis of joint '{name}' has no direction.", "Correct its xyz.")
+    unit = MM if kind in SLIDING else 1.0
+    low, high, speed = (unit * limit.number(key, "0") for key in ("lower", "upper", "velocity"))
+    limited = kind in ("revolute", "prismatic") and low != high
+    if limited and low > high:
+        problem = f"the limits of joint '{name}' are {low / unit:g} and {high / unit:g}: lower is above upper."
+        raise limit.error(problem, "Exchange them.")
+    follows = mimic.said.get("joint")
+    return Joint(
+        line=tag.line,
+        name=name,
+        kind=kind,
+        parent=tag["parent"].text("link"),
+        child=tag["child"].text("link"),
+        origin=tag["origin"].frame,
+        axis=axis / length,
+        limits=(low, high) if limited and max(-low, high) < NONE * unit else None,
+        speed=speed if 0 < speed < NONE * unit else None,
+        mimics=follows and (follows, mimic.number("multiplier", "1"), unit * mimic.number("offset", "0")),
+    )
 
 
 def _parsed(path: Path) -> Tag:
     """Return the element <robot> of a file."""
-    data = read_bytes(path)
-    parser, top = expat.ParserCreate(), Tag("", {}, 1)
+    parser, top = expat.ParserCreate(), Tag(1, "", {})
     open_ = [top]
 
     def begin(name: str, said: dict[str, str]) -> None:
-        line = parser.CurrentLineNumber
+        tag = Tag(parser.CurrentLineNumber, name, said)
         if name.startswith("xacro:"):
             remedy = "Run `xacro x.xacro > x.urdf` and give x.urdf."
-            raise InputError(f"<{name}> is xacro, of which URDF is made.", remedy, file=path, line=line)
-        tag = Tag(name, said, line)
+            raise tag.error(f"<{name}> is xacro, of which URDF is made.", remedy)
         open_[-1].inside.append(tag)
         open_.append(tag)
 
-    def end(_: str) -> None:
-        open_.pop()
-
     def refuse(*_: object) -> None:
-        raise InputError(
-            "the file has a document type (<!DOCTYPE ...>), which URDF has not.",
-            "Take it out, and entities with it.",
-            file=path,
-            line=parser.CurrentLineNumber,
-        )
+        problem = "the file has a document type (<!DOCTYPE ...>), which URDF has not."
+        raise InputError(problem, "Take it out, and entities with it.", line=parser.CurrentLineNumber)
 
-    parser.StartElementHandler, parser.EndElementHandler = begin, end
+    parser.StartElementHandler, parser.EndElementHandler = begin, lambda _: open_.pop()
     parser.StartDoctypeDeclHandler = refuse
     try:
-        parser.Parse(data, True)
+        parser.Parse(read_bytes(path), True)
     except expat.ExpatError as error:
-        raise InputError(
-            f"this is not XML: {expat.ErrorString(error.code)}.", "Correct the line.", file=path, line=error.lineno
-        ) from None
+        problem = f"this is not XML: {expat.ErrorString(error.code)}."
+        raise InputError(problem, "Correct the line.", line=error.lineno) from None
     except (ValueError, LookupError) as error:
-        raise InputError(f"this is not XML: {error}.", "Save it in UTF-8.", file=path) from None
+        raise InputError(f"this is not XML: {error}.", "Save it in UTF-8.") from None
     root = top.inside[0]
     if root.name != "robot":
         what = SPOKEN.get(root.name, f"<{root.name}>")
-        raise InputError(
-            f"this is {what}, where URDF begins with <robot>.", "Give the URDF.", file=path, line=root.line
-        )
+        raise root.error(f"this is {what}, where URDF begins with <robot>.", "Give the URDF.")
     return root

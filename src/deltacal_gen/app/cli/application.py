@@ -72,7 +72,7 @@ def _importers(name: str, called: bool, **how: Any) -> App:
 
         for kind in importers.names():
             command = Command((f"import_{kind}",), needed=("output",), receipt=receipts.imported)
-            _add(app, kind, command, [importers.importer(kind).read])
+            _add(app, kind, command, [importers.importer(kind)])
     return app
 
 

@@ -17,6 +17,7 @@ import numpy as np
 
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.imported import Imported, write_import
+from deltacal_gen.files.naming import naming
 from deltacal_gen.files.robot import robot_from_dict
 from deltacal_gen.files.toml import toml_text
 from deltacal_gen.files.urdf_tree import MM, SLIDING, TURNING, Body, Joint, Tree
@@ -55,20 +56,20 @@ def import_urdf(
     UsageError
         A link that there is not, or that the base does not carry.
     """
-    tree = Tree(Path(path))
-    chain = _chain(tree, base, tip)
-    _check(chain)
-    rows = rows_of(*chain.lines, chain.frames[-1])
-    tables, warnings = _tables(chain, rows)
-    if upwards := ", ".join(joint.name for joint in chain.moving if joint.child not in tree.bodies):
-        told = f"'{chain.base}' is taken to stand still: the chain first goes up through what carries it, {upwards}."
-        warnings = (told, *warnings)
-    text = _commented(toml_text(tables), chain, rows)
-    try:
+    with naming(Path(path)):
+        tree = Tree(Path(path))
+        chain = _chain(tree, base, tip)
+        _check(chain)
+        rows = rows_of(*chain.lines, chain.frames[-1])
+        tables, warnings = _tables(chain, rows)
+        if upwards := ", ".join(joint.name for joint in chain.moving if joint.child not in tree.bodies):
+            told = (
+                f"'{chain.base}' is taken to stand still: the chain first goes up through what carries it, {upwards}."
+            )
+            warnings = (told, *warnings)
+        text = _commented(toml_text(tables), chain, rows)
         robot = robot_from_dict(tomllib.loads(text))
-    except InputError as error:
-        raise InputError(error.problem, error.remedy, file=path) from None
-    _verify(robot, chain, rows)
+        _verify(robot, chain, rows)
     return write_import(Imported(robot, {}, warnings), output, text)
 
 
@@ -201,7 +202,7 @@ def _longest(tree: Tree, base: str | None) -> _Chain:
     most = max((len(way.moving) for way in found), default=0)
     if not most:
         behind = "" if base is None else f" behind '{base}'"
-        raise InputError(f"no joint{behind} moves.", "Give the URDF of an arm, and its base.", file=tree.path)
+        raise InputError(f"no joint{behind} moves.", "Give the URDF of an arm, and its base.")
     longest = [way for way in found if len(way.moving) == most]
     if len(longest) == 1:
         return longest[0]
@@ -211,7 +212,6 @@ def _longest(tree: Tree, base: str | None) -> _Chain:
             f"{len(longest)} links have {most} joint{'s' * (most > 1)} before them, and none has more: {names}. They "
             f"hang on links that no joint connects: {', '.join((longest[0].base, *roots))}.",
             "Say which arm is meant: --base LINK, one of these.",
-            file=tree.path,
         )
     shared = [j[0] for j in zip(*(way.joints for way in longest), strict=False) if len({k.name for k in j}) == 1]
     last = shared[-1].child if shared else longest[0].base
@@ -220,7 +220,6 @@ def _longest(tree: Tree, base: str | None) -> _Chain:
         f"{len(longest)} links have {joints[0]} before them, and none has more: {names}. The ways to them part at "
         f"'{last}', behind {joints[1]}.",
         "Say where the arm ends: --tip LINK, one of these or one before.",
-        file=tree.path,
     )
 
 
@@ -229,36 +228,32 @@ def _check(chain: _Chain) -> None:
     read = {joint.name: joint for joint in chain.read}
     for joint in chain.moving:
         if joint.kind not in (*TURNING, *SLIDING):
-            raise chain.tree.error(
+            raise joint.error(
                 f"joint '{joint.name}' is {joint.kind}, which no joint of an arm is.",
                 f"Begin behind it: --base {joint.child}.",
-                joint.line,
             )
         if joint.mimics is None:
             continue
         other = read.get(joint.mimics[0])
         if other is None or {joint.kind, other.kind} & set(SLIDING):
-            raise chain.tree.error(
+            raise joint.error(
                 f"joint '{joint.name}' mimics '{joint.mimics[0]}': only a turning joint can, and only a turning one "
                 "of the same chain that mimics none.",
                 "End before it (--tip), or take out <mimic> where the controller reads it.",
-                joint.line,
             )
     if not chain.read:
         raise UsageError(f"{chain.tree.path}: no joint moves between '{chain.base}' and '{chain.tip}'.")
     if (far := _length(chain)) > FARTHEST:
-        raise chain.tree.error(
+        raise chain.joints[0].error(
             f"from '{chain.base}' to '{chain.tip}' it is {far / MM:.4g} m: millimetres, where URDF has metres.",
             "Divide the lengths by 1000.",
-            chain.joints[0].line,
         )
     for joint in chain.moving:
         body = chain.body(joint)
         if body is not None and (away := float(np.linalg.norm(body.centre))) > FARTHEST:
-            raise chain.tree.error(
+            raise joint.error(
                 f"what joint '{joint.name}' carries has its centre of mass {away / MM:.4g} m away.",
                 "Correct the <inertial> of its links; lengths are metres.",
-                joint.line,
             )
 
 
@@ -411,5 +406,4 @@ def _verify(robot: Robot, chain: _Chain, rows: Rows) -> None:
         raise InputError(
             f"the table of the chain misses the file's own frames by {mm:.2g} mm and {turn:.2g} rad.",
             "That must not be; nothing is written. Please report it with the file.",
-            file=chain.tree.path,
         )
