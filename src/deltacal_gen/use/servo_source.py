@@ -8,7 +8,8 @@ stands; friction near rest is ramped as in `deltacal_gen.motion.feedforward`.
 from __future__ import annotations
 
 import importlib.resources
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -22,99 +23,22 @@ from deltacal_gen.motion.feedforward import readouts_of_model
 from deltacal_gen.motion.limits import limits_of
 from deltacal_gen.physics.law import is_law
 from deltacal_gen.physics.terms import load_effect
-from deltacal_gen.results.motion import JointModel, MotionModel, TorqueTerm
+from deltacal_gen.results.motion import JointModel, MotionModel
 from deltacal_gen.states import SPEEDS, read_by
 from deltacal_gen.units import file_unit, joint_factors, joint_names
-from deltacal_gen.use.command_source import BUILD, c_numbers, c_source, plain, wrapped
+from deltacal_gen.use.c_text import c_source, plain
+from deltacal_gen.use.command_source import command_source
 from deltacal_gen.use.compensation import Compensator
 
 NO_LIMIT = 1e300  # of a torque, of a joint
 POSED = 6  # joints of a chain that stands in any pose
 FASTEST = 10.0  # times the speed that is assumed where the robot file says none: beyond it a set point has jumped
+MOTION = ("target", "velocity", "acceleration")
 CODES = (
     ("DELTACAL_NOT_A_NUMBER", 3, "an input is not a finite number"),
     ("DELTACAL_JUMP", 4, "since the last set point a joint would have moved faster than DELTACAL_MOST_SPEED"),
     ("DELTACAL_LIMITED", 5, "joints are as asked for; a torque is held at its limit"),
 )
-WORDS = "\n".join(f" *             {code} {words};" for _, code, words in CODES)
-DEFINES = "\n".join(f"#define {name} {code}" for name, code, _ in CODES)
-
-CHAIN = """/*
- * What the drives of {name}, an open chain, must give in motion, as identified.
- *
- * In          joints, speeds, accelerations as the controller counts them [{units}]; payload_kg at the tool point;
- *             temp_C. Or, of six joints, target: the tool point in {{O}} [mm] and the last frame's rotation vector
- *             [deg]; its velocity [mm/s, deg/s] and acceleration [mm/s^2, deg/s^2], turns about the axes of {{O}}
- * Out         held->joints [{units}] and held->torque [{read}], positive along positive joints of the controller
- * Returns     0 solved; 1 out of reach, or beyond the limits of [joints]; 2 singular;
-{words}
- *             after 1 to 4 held keeps joints and torques of the last set point that was solved.
- * Near rest   inside DELTACAL_REST (rad/s, mm/s) what depends on a joint's speed goes straight from side to side.
- * The past    of friction that builds up over a way is followed from set point to set point, period_s apart.
- * Effort      of a target at most POSE_STEPS (40) steps of Newton's method, from held->joints on: set these before the
- *             first one, it says how the chain stands. No other loop depends on the input. No memory is allocated, and
- *             nothing is kept between calls but what is in held.
- * Usage       struct deltacal_motion held = {{ .period_s = 0.001 }};   (between two set points)
- *             status = deltacal_feedforward_joints(&held, q, qd, qdd, 0.0, 20.0);
- *             held.begun = 0 makes the next set point the first one, wherever it is: after a stop, say.
- * Build       C99 with the mathematics library, double of 64 bits; not with -ffast-math, which drops the tests of what
- *             is no number. Declare it elsewhere as it is declared here, in C++ as extern "C".
- */
-{build}#include <math.h>
-
-#define DELTACAL_SOLVED 0
-#define DELTACAL_UNREACHABLE 1
-#define DELTACAL_SINGULAR 2
-{codes}
-#define DELTACAL_JOINTS {limbs}
-#define DELTACAL_LINKS {links}
-#define DELTACAL_DRIVES {drives}
-#define DEGREE 0.017453292519943295
-
-struct deltacal_motion {{
-    double joints[DELTACAL_JOINTS], torque[DELTACAL_JOINTS];
-    double period_s;
-    int begun;{past}
-}};
-
-int deltacal_feedforward_joints(struct deltacal_motion *held, const double joints[DELTACAL_JOINTS],
-                                const double speeds[DELTACAL_JOINTS], const double accelerations[DELTACAL_JOINTS],
-                                double payload_kg, double temp_C);
-#if DELTACAL_JOINTS == 6
-int deltacal_feedforward(struct deltacal_motion *held, const double target[6], const double velocity[6],
-                         const double acceleration[6], double payload_kg, double temp_C);
-#endif
-"""
-
-INTERFACE = """/*
- * In motion: joints and what the drives must give, by position, velocity and acceleration of the reference point.
- *
- * In          {target}, {velocity}, {acceleration}: {axes} in {{O}};
- *             payload_kg at the reference point; temp_C
- * Out         held->joints_{unit} and held->torque [{read}], positive along positive joints of the controller
- * Returns     0 solved; 1 out of reach; 2 singular;
-{words}
- *             after 1 to 4 held keeps joints and torques of the last set point that was solved.
- * Near rest   inside DELTACAL_REST (rad/s, mm/s) what depends on a joint's speed goes straight from side to side.
- * The past    of friction that builds up over a way is followed from set point to set point, period_s apart.
- * Effort      at most MAX_STEPS (30) + PLATFORM_STEPS (8) steps of Newton's method; no other loop depends on the input.
- *             No memory is allocated, and nothing is kept between calls but what is in held.
- * Usage       struct deltacal_motion held = {{ .period_s = 0.001 }};   (between two set points)
- *             status = deltacal_feedforward(&held, p, v, a, 0.0, 20.0);
- *             held.begun = 0 makes the next set point the first one, wherever it is: after a stop, say.
- */
-{codes}
-
-struct deltacal_motion {{
-    double joints_{unit}[{limbs}], torque[{limbs}];
-    double period_s;
-    int begun;{past}
-}};
-
-int deltacal_feedforward(struct deltacal_motion *held, const double {target}[{asked}],
-                         const double {velocity}[{asked}], const double {acceleration}[{asked}],
-                         double payload_kg, double temp_C);
-"""
 
 
 def servo_source(known: MotionModel) -> str:
@@ -136,106 +60,66 @@ def servo_source(known: MotionModel) -> str:
             "payload_error belongs to a set-up, which a controller does not know: correct payload_kg in the recording, "
             "and diagnose again."
         )
-    body = importlib.resources.files("deltacal_kernels").joinpath(robot.mechanism, "dynamics.c")
-    past = _past(joints)
-    head = _limbs if mechanism_of(robot).written_out else _chain
-    parts = [
-        *head(known, robot, own, past),
-        "\n".join(_tables(known, robot, own, joints)),
-        *_effects(joints),
-        "\n".join(_remembering(joints, past)),
-        "\n".join(_drive(joints)),
-        body.read_text(encoding="utf-8"),
-    ]
-    return "\n".join(parts)
+    kernels, written_out = importlib.resources.files("deltacal_kernels"), mechanism_of(robot).written_out
+    terms = _terms(joints)
+    return c_source(
+        "feedforward",
+        kind="limbs" if written_out else "chain",
+        codes=CODES,
+        read=", ".join(readouts_of_model(known)[0]),
+        limbs=mechanism_of(robot).limbs,
+        past=sum(t.memories + t.read for _, of_joint in terms for t in of_joint if t.memories),
+        own=own.numbers,
+        **(_limbs(robot) if written_out else _chain(robot, own)),
+        **_tables(known, robot, own, joints),
+        sources=[kernels.joinpath("effects", f"{n}.c").read_text(encoding="utf-8") for n in _effects(joints)],
+        joints=[(joint, of_joint) for joint, of_joint in terms if of_joint],
+        dynamics=kernels.joinpath(robot.mechanism, "dynamics.c").read_text(encoding="utf-8").rstrip("\n"),
+    )
 
 
-def _limbs(known: MotionModel, robot: Robot, own: Dynamics, past: int) -> tuple[str, ...]:
-    """Return geometry, interface and numbers of a machine with limbs."""
+def _limbs(robot: Robot) -> dict[str, Any]:
+    """Return geometry and interface of a machine with limbs."""
+    machine = mechanism_of(robot)
     with using(Backend.NUMPY):  # a file holds the same digits wherever it is written from
         geometry = Compensator(robot)
-        text = c_source(geometry, geometry.round_trip())
-    numbers = [line for name in ("MOTION_K", "BODY_K") for line in _table(name, own.numbers[name])]
-    numbers += [_line("SHARES", own.numbers["SHARES"], "of a rod's mass at either end")]
-    return text, _interface(known, robot, past), "\n".join(numbers)
+        command = command_source(geometry, geometry.round_trip())
+    units, axes = ("_mm", "_mm_s", "_mm_s2"), ", ".join(machine.axes)
+    if machine.turning:
+        units, turns = ("", "", ""), ", ".join(f"r{name[1]}" for name in machine.asks if name[0] == "c")
+        axes = f"{axes} [mm, mm/s, mm/s^2] and {turns} [deg, deg/s, deg/s^2]: rotation vector, turns about the axes"
+    asked = {name: name + unit for name, unit in zip(MOTION, units, strict=True)}
+    return asked | {"command": command, "axes": axes, "unit": file_unit(machine.joint_unit), "asked": len(machine.asks)}
 
 
-def _chain(known: MotionModel, robot: Robot, own: Dynamics, past: int) -> tuple[str, ...]:
+def _chain(robot: Robot, own: Dynamics) -> dict[str, Any]:
     """Return interface and numbers of an open chain."""
-    machine = mechanism_of(robot)
-    told = own.numbers
+    machine, reach = mechanism_of(robot), robot_size(robot)
     factors = np.array(joint_factors(machine.joint_unit, machine.limbs))
     ends = np.full((machine.limbs, 2), [-NO_LIMIT, NO_LIMIT])
     if robot.joint_limits is not None:
         ends = robot.joint_limits / factors[:, None]
-    reach = robot_size(robot)
-    head = CHAIN.format(
-        name=plain(robot.name),
-        units=", ".join(dict.fromkeys(file_unit(u) for u in machine.joint_units)),
-        read=", ".join(readouts_of_model(known)[0]),
-        words=WORDS,
-        codes=DEFINES,
-        build=BUILD,
-        links=len(told["CONVENTION"]),
-        drives=len(told["DRIVE"]),
-        limbs=machine.limbs,
-        past=_held(past),
-    )
-    numbers = [
-        f"static const int DELTACAL_CONVENTION[] = {{ {', '.join(map(str, told['CONVENTION']))} }};",
-        "static const int DELTACAL_DRIVE[][3] = { /* link, whether it slides, joint */",
-        *(f"    {{ {', '.join(map(str, row))} }}," for row in told["DRIVE"].tolist()),
-        "};",
-        *_table("LINK_K", told["LINK_K"]),
-    ]
     of_pose = (
         ("REACH", np.array([reach]), "mm"),
         ("TOOL", robot.tool, "mm, in the last frame"),
         ("REACHES", np.where(np.array(machine.joint_units) == "mm", reach, 1.0), "what counts as much of a joint"),
     )
-    for name, values, words in (
-        *(of_pose if machine.limbs == POSED else ()),
-        ("MUCH", told["MUCH"], "of a joint in its link"),
-        ("SIGN", robot.joint_sign, "of the controller"),
-        ("FACTOR", factors, "rad, mm per unit of a joint"),
-        ("JOINT_LOW", ends[:, 0], "[joints] of the robot file"),
-        ("JOINT_HIGH", ends[:, 1], "the same"),
-    ):
-        numbers.append(_line(name, values, words))
-    return head, "\n".join(numbers)
+    return {
+        "name": plain(robot.name),
+        "unit": ", ".join(dict.fromkeys(file_unit(u) for u in machine.joint_units)),
+        "of_chain": (
+            *(of_pose if machine.limbs == POSED else ()),
+            ("MUCH", own.numbers["MUCH"], "of a joint in its link"),
+            ("SIGN", robot.joint_sign, "of the controller"),
+            ("FACTOR", factors, "rad, mm per unit of a joint"),
+            ("JOINT_LOW", ends[:, 0], "[joints] of the robot file"),
+            ("JOINT_HIGH", ends[:, 1], "the same"),
+        ),
+    }
 
 
-def _interface(known: MotionModel, robot: Robot, past: int) -> str:
-    """Return what a controller sees: codes, what is held between calls, the function."""
-    machine = mechanism_of(robot)
-    axes = ", ".join(machine.axes)
-    target, velocity, acceleration = "target_mm", "velocity_mm_s", "acceleration_mm_s2"
-    if machine.turning:
-        target, velocity, acceleration = "target", "velocity", "acceleration"
-        turns = ", ".join(f"r{name[1]}" for name in machine.asks if name[0] == "c")
-        axes = f"{axes} [mm, mm/s, mm/s^2] and {turns} [deg, deg/s, deg/s^2]: rotation vector, turns about the axes"
-    return INTERFACE.format(
-        target=target,
-        velocity=velocity,
-        acceleration=acceleration,
-        past=_held(past),
-        unit=file_unit(machine.joint_unit),
-        limbs=machine.limbs,
-        asked=len(machine.asks),
-        axes=axes,
-        read=", ".join(readouts_of_model(known)[0]),
-        words=WORDS,
-        codes=DEFINES,
-    )
-
-
-def _held(past: int) -> str:
-    """Return the line of what effects remember, where some do."""
-    return f"\n    double past[{past}]; /* what friction remembers, and the states that it read last */" if past else ""
-
-
-def _tables(known: MotionModel, robot: Robot, own: Dynamics, joints: Sequence[JointModel]) -> Iterator[str]:
-    """Yield the numbers that every machine in motion has."""
+def _tables(known: MotionModel, robot: Robot, own: Dynamics, joints: Sequence[JointModel]) -> dict[str, Any]:
+    """Return the numbers that every machine in motion has."""
     machine = mechanism_of(robot)
     n, payload = own.joints, own.of_payload()
     inertia = np.zeros((n, len(payload)))
@@ -253,8 +137,7 @@ def _tables(known: MotionModel, robot: Robot, own: Dynamics, joints: Sequence[Jo
     rotors = np.zeros(n)
     for k, j in enumerate(own.rotors):  # of another joint's drive no torque depends
         rotors[j] = inertia[j, len(own.names) - len(own.rotors) + k] / 1000.0
-    yield from _table("INERTIA", inertia[:, : inertia.shape[1] - len(own.rotors)])
-    for name, values, words in (
+    tables = (
         ("ROTOR", rotors, "of the drives: N mm per rad/s^2, N per mm/s^2"),
         ("PAYLOAD", payload[: len(payload) - len(own.rotors)], "1 kg at the reference point"),
         ("GRAVITY", own.gravity, "m/s^2, in {O}"),
@@ -264,26 +147,13 @@ def _tables(known: MotionModel, robot: Robot, own: Dynamics, joints: Sequence[Jo
         ("MOST_SPEED", most, "joints per second: faster, a set point has jumped"),
         ("TORQUE_LOW", ends[:, 0], ", ".join(units)),
         ("TORQUE_HIGH", ends[:, 1], ", ".join(units)),
-    ):
-        yield _line(name, values, words)
-    yield ""
-
-
-def _line(name: str, values: np.ndarray, words: str) -> str:
-    return f"static const double DELTACAL_{name}[{len(values)}] = {{ {c_numbers(values)} }}; /* {words} */"
-
-
-def _table(name: str, values: np.ndarray) -> Iterator[str]:
-    yield f"static const double DELTACAL_{name}[{values.shape[0]}][{values.shape[1]}] = {{"
-    for row in values:
-        yield f"    {{ {wrapped(row)} }},"
-    yield "};"
+    )
+    return {"inertia": inertia[:, : inertia.shape[1] - len(own.rotors)], "tables": tables}
 
 
 def _effects(joints: Sequence[JointModel]) -> list[str]:
-    """Return the C sources of the effects, each once."""
-    names = dict.fromkeys(term.effect for model in joints for term in model.terms)
-    folder = importlib.resources.files("deltacal_kernels").joinpath("effects")
+    """Return the names of the effects, each once, that a controller can follow."""
+    names = list(dict.fromkeys(term.effect for model in joints for term in model.terms))
     for name in names:
         if is_law(name):
             raise UsageError(
@@ -294,116 +164,35 @@ def _effects(joints: Sequence[JointModel]) -> list[str]:
             raise UsageError(
                 f"{name} depends on '{lacking[0]}', which a controller does not have: it cannot be exported."
             )
-    return [folder.joinpath(f"{name}.c").read_text(encoding="utf-8") for name in names]
+    return names
 
 
-def _past(joints: Sequence[JointModel]) -> int:
-    """Return how many numbers are kept of the past: what effects remember, and the states that they read last."""
-    return sum(_kept(term) for model in joints for term in model.terms)
+class _Term(NamedTuple):
+    """An effect of a joint's drive in C.
+
+    Its states as C writes them; its past stands from `begin` on: what it remembers, and the states that it read last.
+    """
+
+    effect: str
+    states: list[str]
+    values: tuple[float, ...]
+    constants: tuple[float, ...]
+    begin: int
+    memories: int
+    read: int
 
 
-def _kept(term: TorqueTerm) -> int:
-    kernels = load_effect(term.effect)
-    memories = len(getattr(kernels, "MEMORY", ()))
-    return memories and memories + len(kernels.STATE)
-
-
-def _by_joint(joints: Sequence[JointModel]) -> Iterator[tuple[int, list[tuple[TorqueTerm, int]]]]:
-    """Yield each joint (from 0) that has terms, and these with where their past stands."""
-    at = 0
+def _terms(joints: Sequence[JointModel]) -> list[tuple[int, list[_Term]]]:
+    """Return the terms of each joint (from 0)."""
+    begin, every = 0, []
     for model in joints:
-        placed = []
+        own: list[_Term] = []
         for term in model.terms:
-            placed.append((term, at))
-            at += _kept(term)
-        if placed:
-            yield model.joint - 1, placed
-
-
-DRIVE = "int joint, double q, double qd, double qdd, double load, double temp_C"
-UNREAD = "    (void)joint, (void)q, (void)qd, (void)qdd, (void)load, (void)temp_C;"
-
-
-def _remembering(joints: Sequence[JointModel], past: int) -> Iterator[str]:
-    """Yield the functions by which effects follow their past from one set point to the next."""
-    yield f"#define DELTACAL_PAST {past}"
-    yield "/* What was remembered at the last set point that was solved. */"
-    yield "static void recall(const struct deltacal_motion *held, double *past)"
-    yield from _copied("past[i] = held->past[i];", past)
-    yield "/* Remember what a set point that was solved leaves. */"
-    yield "static void keep(struct deltacal_motion *held, const double *past)"
-    yield from _copied("held->past[i] = past[i];", past)
-    yield "/* Follow the past of a joint's effects to this set point, h seconds after the last (0: it is the first). */"
-    yield f"static void remember(double *past, double h, {DRIVE})"
-    yield "{"
-    yield f"    (void)past, (void)h;\n{UNREAD}"
-    for joint, placed in _by_joint(joints):
-        remembering = [(term, at) for term, at in placed if _kept(term)]
-        if not remembering:
-            continue
-        yield f"    if (joint == {joint}) {{"
-        for term, at in remembering:
-            states = load_effect(term.effect).STATE
-            before = at + _kept(term) - len(states)
-            yield from _numbers(term, at)
-            yield "            if (h > 0.0)"
-            yield f"                {term.effect}_step(past + {at}, past + {before}, s, h, c, constants);"
-            yield "            else"
-            yield f"                {term.effect}_start(past + {at}, s, c, constants);"
-            yield from (f"            past[{before + n}] = s[{n}];" for n in range(len(states)))
-            yield "        }"
-        yield "    }"
-    yield "}"
-    yield ""
-
-
-def _copied(line: str, past: int) -> Iterator[str]:
-    yield "{"
-    if past:
-        yield f"    int i;\n    for (i = 0; i < DELTACAL_PAST; i++)\n        {line}"
-    else:
-        yield "    (void)held, (void)past;"
-    yield "}"
-    yield ""
-
-
-def _drive(joints: Sequence[JointModel]) -> Iterator[str]:
-    """Yield the functions of what a drive has beside the rigid machine."""
-    yield "/* What a drive gives beside its load, in units inside. */"
-    yield f"static double beside(const double *past, {DRIVE})"
-    yield "{"
-    yield "    double total = 0.0;"
-    yield f"    (void)past;\n{UNREAD}"
-    for joint, placed in _by_joint(joints):
-        yield f"    if (joint == {joint}) {{"
-        for term, at in placed:
-            yield from _numbers(term, at)
-            yield f"            total += {term.effect}(s, c, constants);"
-            yield "        }"
-        yield "    }"
-    yield "    return total;"
-    yield "}"
-    yield ""
-    yield "/* What a drive gives, friction ramped near rest; past is followed up to this set point. */"
-    yield f"static double deltacal_drive(double *past, double h, {DRIVE})"
-    yield "{"
-    yield "    const double edge = DELTACAL_REST[joint];"
-    yield "    load += DELTACAL_ROTOR[joint] * qdd;"
-    yield "    remember(past, h, joint, q, qd, qdd, load, temp_C);"
-    yield "    if (!(fabs(qd) < edge))"
-    yield "        return load + beside(past, joint, q, qd, qdd, load, temp_C);"
-    yield "    return load + (0.5 - 0.5 * qd / edge) * beside(past, joint, q, -edge, qdd, load, temp_C)"
-    yield "           + (0.5 + 0.5 * qd / edge) * beside(past, joint, q, edge, qdd, load, temp_C);"
-    yield "}"
-    yield ""
-
-
-def _numbers(term: TorqueTerm, at: int) -> Iterator[str]:
-    """Yield the begin of a block with an effect's states, coefficients and constants; its past stands from `at` on."""
-    kernels = load_effect(term.effect)
-    memories = len(getattr(kernels, "MEMORY", ()))
-    states = [*(s.c99_drive for s in read_by(kernels)), *(f"past[{at + n}]" for n in range(memories))]
-    yield "        {"
-    yield f"            const double s[] = {{ {', '.join(states) or '0.0'} }};"
-    yield f"            static const double c[] = {{ {c_numbers(np.array(term.values))} }};"
-    yield f"            static const double constants[] = {{ {c_numbers(np.array(term.constants or (0.0,)))} }};"
+            kernels = load_effect(term.effect)
+            memories, read = len(getattr(kernels, "MEMORY", ())), len(kernels.STATE)
+            past = (f"past[{begin + n}]" for n in range(memories))
+            states = [*(s.c99_drive for s in read_by(kernels)), *past]
+            own.append(_Term(term.effect, states, term.values, term.constants or (0.0,), begin, memories, read))
+            begin += memories and memories + read
+        every.append((model.joint - 1, own))
+    return every

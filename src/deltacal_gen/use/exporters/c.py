@@ -11,7 +11,7 @@ from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.results.diagnosis import Diagnosis
 from deltacal_gen.results.motion import MotionModel
 from deltacal_gen.results.result import Result
-from deltacal_gen.use.command_source import LiveEffects, c_source, effect_source
+from deltacal_gen.use.command_source import LiveEffects, command_source, effect_source
 from deltacal_gen.use.compensation import Compensator, RoundTrip
 from deltacal_gen.use.exporters import Exporter
 from deltacal_gen.use.servo_source import servo_source
@@ -73,5 +73,5 @@ def export_c(compensator: Compensator, path: str | Path, over: Spans | None = No
     with using(Backend.NUMPY):  # a file holds the same digits wherever it is written from
         left = rigid.round_trip()
         live = LiveEffects.of(after_jumps(compensator), over or Spans()) if compensator.effects else None
-        write_files({Path(path): c_source(rigid, left, live)})
+        write_files({Path(path): command_source(rigid, left, live)})
         return left if live is None else live.left

@@ -1,0 +1,50 @@
+"""C99 as text: the templates of the folder ``c99``, and numbers as C writes them."""
+
+from __future__ import annotations
+
+import functools
+import re
+from collections.abc import Sequence
+from typing import Any
+
+import jinja2
+
+from deltacal_gen.machine.registry import Array
+from deltacal_gen.use.spans import stated
+
+
+@functools.cache
+def _environment() -> jinja2.Environment:
+    environment = jinja2.Environment(
+        loader=jinja2.PackageLoader("deltacal_gen.use", "c99"),
+        undefined=jinja2.StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+    )
+    environment.filters |= {"numbers": c_numbers, "wrapped": wrapped, "stated": _stated}
+    return environment
+
+
+def c_source(template: str, **content: Any) -> str:
+    """Return the text of a template."""
+    return _environment().get_template(f"{template}.c.jinja").render(**content)
+
+
+def _stated(measured: float) -> str:
+    return f"{stated(measured):.1e}"
+
+
+def plain(text: str) -> str:
+    """Return `text` without anything that means something in a C comment."""
+    return re.sub(r"[^\w .,:;()+-]", "_", text)
+
+
+def c_numbers(values: Array | Sequence[float]) -> str:
+    """Return numbers as C writes them, to the last digit."""
+    return ", ".join(repr(float(v)) for v in values)
+
+
+def wrapped(values: Array, per_line: int = 5) -> str:
+    """Return a row of numbers as C writes them, a few in a line."""
+    return ",\n      ".join(c_numbers(values[j : j + per_line]) for j in range(0, len(values), per_line))
