@@ -10,7 +10,6 @@ import pytest
 
 from deltacal_gen.diagnosis.beside import Beside
 from deltacal_gen.diagnosis.charges import SMALLEST, UNSEEN, best_set, gains
-from deltacal_gen.diagnosis.components import Components, of_noise, with_fitted
 from deltacal_gen.diagnosis.diagnosis import _first, _geometry
 from deltacal_gen.diagnosis.library import library
 from deltacal_gen.diagnosis.refits import refitted, terms_of
@@ -22,6 +21,8 @@ from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.identification.drawing import strained
 from deltacal_gen.identification.together import deviance_of
+from deltacal_gen.inference.likelihood import unit_variance
+from deltacal_gen.inference.sizes import fit_sizes
 from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.machine.registry import Array, load_mechanism
 from deltacal_gen.physics.terms import Term, blank
@@ -123,22 +124,27 @@ def test_gains_are_those_of_the_directions_that_are_seen() -> None:
 def test_no_columns_explain_more_than_there_is() -> None:
     """Priors hold a part of what is left: without it, as many columns as readings would leave less than nothing."""
     beside = Beside(geometry(effect("joint_scale", (1,), 0.01)))
-    found = Components.of([np.eye(beside.readings)], beside, price=2.0)
-    whole = np.block([[found.G, found.b[:, None]], [found.b[None], np.array([[found.rest]])]])
-    assert np.linalg.eigvalsh(whole)[0] > -1e-9 * found.rest
+    found = beside.model(np.eye(beside.readings))
+    columns, squares = np.eye(beside.readings), beside.squares
+    G, b = columns - beside.Q @ beside.Q.T, beside.residual[:, None]
+    assert np.linalg.eigvalsh(np.block([[G, b], [b.T, np.array([[squares]])]]))[0] > -1e-9 * squares
+    assert 0 < found.rest < squares
 
 
 def test_what_is_drawn_by_chance_is_found_where_it_is() -> None:
     beside = Beside(geometry(effect("joint_scale", (1,), 0.003)))
     rng = np.random.default_rng(5)
     aligned = beside.residual[:, None] + 1e-3 * rng.standard_normal((beside.readings, 3))
-    groups = [aligned * of_noise(aligned), rng.standard_normal((beside.readings, 24))]
-    found = Components.of(groups, beside, price=2.0)
-    sizes, deviance = found.likeliest()
-    assert list(sizes) == [0]
-    assert deviance < found.deviance({}) - 100
+    groups, owner = (
+        [aligned * unit_variance(aligned), rng.standard_normal((beside.readings, 24))],
+        np.repeat([0, 1], [3, 24]),
+    )
+    model = beside.model(np.hstack(groups))
+    found = fit_sizes(model, owner, prices=2.0)
+    assert np.flatnonzero(found.variances).tolist() == [0]
+    assert found.deviance < model.deviance(np.zeros(27)) - 100
     # once it is fitted nothing of it is left to be drawn
-    assert Components.of(groups[:1], with_fitted(beside, aligned), price=2.0).likeliest()[0] == {}
+    assert not fit_sizes(beside.joined(aligned).model(groups[0]), owner[:3], prices=2.0).variances.any()
 
 
 def test_a_coefficient_that_no_reading_sees_is_not_beyond_what_can_be() -> None:

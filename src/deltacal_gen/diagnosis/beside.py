@@ -9,6 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from deltacal_gen.estimation.fitted import Fit
+from deltacal_gen.estimation.system import whitened
+from deltacal_gen.inference.likelihood import MixedModel
 from deltacal_gen.machine.registry import Array
 
 BLOCK = 256  # columns that are whitened at once: whitening needs four times their memory
@@ -39,8 +41,6 @@ class Beside:
         state = problem.linearise(at.errors, at.instrument, self.machine)
         self.read = np.isfinite(state.residual)
         self.owner = np.nonzero(self.read)[0]
-        # the residual carries the influence of a reading, columns none of it: a gross error can earn but little
-        self._w = np.sqrt(1 + at.repeats.ratio) / np.broadcast_to(at.sigma, state.residual.shape)
         held, size = problem.held[: len(problem.held_std)], np.concatenate([[], *map(np.ravel, problem.held_std)])
         unknown = problem.term_columns(held, at.errors, at.instrument, self.machine) * size
         base = self.rows(np.concatenate([state.J_p * problem.scale, state.J_m, unknown], axis=2))
@@ -51,6 +51,7 @@ class Beside:
         own = len(departure) + np.arange(state.J_m.shape[2])
         seen = own[base[:, own].any(axis=0)]  # a turn that nothing reads stays as it is
         pulls = np.delete(np.arange(base.shape[1]), seen)
+        # the residual carries the influence of a reading, columns none of it: a gross error can earn but little
         r = self.rows((state.residual * at.weights[:, None])[..., None])[:, 0]
         self.readings = len(r)
         prior = np.eye(base.shape[1])[pulls]
@@ -107,6 +108,13 @@ class Beside:
         out._take_off()
         return out
 
+    def model(self, columns: Array) -> MixedModel:
+        """Return the mixed model of what is left, whose effects have whitened columns (scalars, n)."""
+        inside, contrasts = self.Q.T @ columns, max(self.readings - self.Q.shape[1], 1)
+        return MixedModel.normal(
+            columns.T @ columns - inside.T @ inside, columns.T @ self.residual, self.squares, contrasts
+        )
+
     def shifts(self, inside: Array) -> Array:
         """Return by how much readings shift what is fitted (n, m), of their coordinates (n, m) in the basis."""
         shift: Array = np.linalg.solve(self._R, inside)
@@ -119,19 +127,11 @@ class Beside:
 
     def rows(self, values: Array) -> Array:
         """Return readings (R, k, n) as whitened rows (scalars, n), unread components dropped."""
-        if values.shape[2] <= BLOCK:
-            return self._block(values)
-        out = np.empty((int(self.read.sum()), values.shape[2]))
+        fit, out = self.fit, np.empty((int(self.read.sum()), values.shape[2]))
         for at in range(0, values.shape[2], BLOCK):
-            out[:, at : at + BLOCK] = self._block(values[..., at : at + BLOCK])
+            some, fully = values[..., at : at + BLOCK], np.ones(len(values))
+            out[:, at : at + BLOCK] = whitened(some, self.read, fit.sigma, fully, fit.repeats)
         return out
-
-    def _block(self, values: Array) -> Array:
-        scaled = values * self._w[..., None]
-        if self.read.all():
-            return self.fit.repeats.whiten(scaled).reshape(self.read.size, -1)
-        scaled[~self.read] = 0.0
-        return self.fit.repeats.whiten(scaled)[self.read]
 
 
 @dataclass(frozen=True)

@@ -11,21 +11,22 @@ pays for its size alone, an effect for what had to be said of it.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from deltacal_gen.diagnosis.beside import Beside
 from deltacal_gen.diagnosis.charges import MARGIN, quantile
-from deltacal_gen.diagnosis.components import Components, of_noise, with_fitted
 from deltacal_gen.diagnosis.refits import terms_of
 from deltacal_gen.diagnosis.structure import by_instrument
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
+from deltacal_gen.inference.likelihood import MixedModel, unit_variance
+from deltacal_gen.inference.sizes import Sizes, fit_sizes
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.terms import Term
 
 MODES = 24  # functions of a walk, which carry 98 % of its variance
+SEEN = 1e-6  # of a unit column's square beside all that is fitted: less is a combination of that
 
 
 def following_walks(at: Fit, prices: Mapping[int, float]) -> tuple[set[int], tuple[int, ...]]:
@@ -41,65 +42,39 @@ def following_walks(at: Fit, prices: Mapping[int, float]) -> tuple[set[int], tup
     doubted = [i for i in prices if _goes_with_time(terms[i])]
     if not doubted or found.rows.shape[1] != 1 or len(found) < MODES:
         return set(), ()
-    ground = _Ground.of(at, doubted)
-    owed = [prices[i] for i in doubted]
-    kept = list(range(len(doubted)))
-    whole = ground.beside(kept)
-    named = whole.deviance({}) + sum(owed)
-    walks, cost = whole.likeliest()
-    best = cost + sum(owed)
-    while kept:
-        tried = []
-        for i in kept:
-            others = [k for k in kept if k != i]
-            beside, cost = ground.beside(others).likeliest(walks)
-            tried.append((cost + sum(owed[k] for k in others), others, beside))
-        least, others, beside = min(tried, key=lambda t: t[0])
-        if least >= best:
+    without = Beside(at).freed(*doubted).beside
+    places = _columns(at, without)
+    walks, owner = np.hstack([A * unit_variance(A) for A in places]), np.repeat(np.arange(len(places)), MODES)
+    each = {
+        i: without.rows(at.problem.term_columns([terms[i]], at.errors, at.instrument, without.machine)) for i in doubted
+    }
+
+    def given(kept: Sequence[int]) -> tuple[float, Sequence[int], MixedModel, Sizes]:
+        """Return what some effects and the likeliest walks cost [deviance]."""
+        own = np.hstack([np.zeros((without.readings, 0)), *(each[i] for i in kept)])
+        own /= np.maximum(np.linalg.norm(own, axis=0), 1e-300)
+        seen = without.model(own)
+        model = without.joined(own @ seen.V[:, seen.s**2 > SEEN]).model(walks)
+        sizes = fit_sizes(model, owner, prices=quantile(1, len(places)))
+        return sizes.deviance + sum(prices[i] for i in kept), kept, model, sizes
+
+    best = given(doubted)
+    named = best[2].deviance(np.zeros(len(owner))) + sum(prices[i] for i in doubted)
+    while best[1]:
+        fewer = min((given([k for k in best[1] if k != i]) for i in best[1]), key=lambda found: found[0])
+        if fewer[0] >= best[0]:
             break
-        best, kept, walks = least, others, beside
-    if len(kept) == len(doubted) or best >= named - MARGIN:
+        best = fewer
+    cost, kept, _, sizes = best
+    if len(kept) == len(doubted) or cost >= named - MARGIN:
         return set(), ()
-    joints = {place + 1 if place < at.problem.mechanism.limbs else 0 for place in walks}
-    return {i for k, i in enumerate(doubted) if k not in kept}, tuple(sorted(joints))
+    joints = {j + 1 if j < at.problem.mechanism.limbs else 0 for j in np.flatnonzero(sizes.variances).tolist()}
+    return set(doubted) - set(kept), tuple(sorted(joints))
 
 
 def _goes_with_time(term: Term) -> bool:
     """Tell whether an effect reads the time, or a channel of the whole machine."""
     return any(s.by or (s.kind == "channel" and s.per == "machine") for s in term.states)
-
-
-@dataclass(frozen=True)
-class _Ground:
-    """What is fitted without some effects, their columns, and walks of all places: joints, axes of the instrument.
-
-    Attributes
-    ----------
-    without : Beside
-    effects : (scalars, n_e) array
-    owner : (n_e,) array of int
-        Which effect each of them belongs to.
-    walks : list of (scalars, MODES) arrays
-        Each brings the readings the variance of their noise.
-    """
-
-    without: Beside
-    effects: Array
-    owner: np.ndarray
-    walks: list[Array]
-
-    @staticmethod
-    def of(at: Fit, effects: Sequence[int]) -> _Ground:
-        without = Beside(at).freed(*effects).beside
-        terms = [terms_of(at)[i] for i in effects]
-        own = without.rows(at.problem.term_columns(terms, at.errors, at.instrument, without.machine))
-        owner = np.repeat(np.arange(len(terms)), [t.n_coefficients for t in terms])
-        return _Ground(without, own, owner, [A * of_noise(A) for A in _columns(at, without)])
-
-    def beside(self, kept: Sequence[int]) -> Components:
-        """Return the walks beside some of the effects."""
-        own = self.effects[:, np.isin(self.owner, list(kept))]
-        return Components.of(self.walks, with_fitted(self.without, own), quantile(1, len(self.walks)))
 
 
 def _columns(at: Fit, beside: Beside) -> list[Array]:

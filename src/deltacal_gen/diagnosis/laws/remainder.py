@@ -16,7 +16,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from deltacal_gen.diagnosis.components import Components, Sizes, of_noise
 from deltacal_gen.diagnosis.laws.ground import Ground, Tried
 from deltacal_gen.diagnosis.laws.shape import Part, curves_of, of_parts
 from deltacal_gen.diagnosis.refits import terms_of
@@ -24,6 +23,8 @@ from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.estimation.fit import fit
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.solvers import Prior
+from deltacal_gen.inference.likelihood import unit_variance
+from deltacal_gen.inference.sizes import fit_sizes
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.grammar import Curve, Form, renumbered, switch
 from deltacal_gen.physics.law import load_law
@@ -61,16 +62,17 @@ def with_remainder(at: Fit, law: Sequence[Tried]) -> Fit:
         (ground.freed(i), t, term) for i, (t, term) in enumerate(zip(law, terms_of(at)[first:], strict=True), first)
     ]
     others = [r for freed, t, term in each for r in _others(ground, freed, t, term)]
-    best, found, rests = np.inf, Sizes(), list[_Rest]()
+    best, kept = np.inf, list[tuple[_Rest, float]]()
     for count in COUNTS:
         tried = [*(r for freed, t, term in each for r in _rests(ground, freed, t, term, count)), *others]
         if not tried:
             return at
         prices = [PRICE + 2 * float(np.log(max(len(others), 1))) * r.chosen for r in tried]
-        sizes, deviance = Components.of([r.columns for r in tried], ground.beside, prices).likeliest()
-        if deviance < best:
-            best, found, rests = deviance, sizes, tried
-    kept = [(rests[k], size**0.5 * rests[k].scale) for k, size in found.items()]
+        owner = np.repeat(np.arange(len(tried)), [r.columns.shape[1] for r in tried])
+        found = fit_sizes(ground.beside.model(np.hstack([r.columns for r in tried])), owner, prices=np.array(prices))
+        if found.deviance < best:
+            best = found.deviance
+            kept = [(r, s**0.5 * r.scale) for r, s in zip(tried, found.variances.tolist(), strict=True) if s]
     return _joint(at, [r.term for r, _ in kept], [std for _, std in kept]) if kept else at
 
 
@@ -121,7 +123,7 @@ def _rest(ground: Ground, tried: Tried, form: Form) -> _Rest:
     """Return a form of bumps at the place of a term of a law, blank."""
     C = ground.columns(ground.place(tried.target), ground.values(form))[:, :, [i - 1 for i in tried.limbs] or [0]]
     columns = np.swapaxes(C, 1, 2).reshape(len(C), -1)
-    scale, blank = of_noise(columns), ground.term(tried.target, form, tried.limbs)
+    scale, blank = unit_variance(columns), ground.term(tried.target, form, tried.limbs)
     return _Rest(blank.with_values(np.zeros(blank.n_coefficients)), columns * scale, scale)
 
 
