@@ -65,7 +65,7 @@ STEERING = {
     "diagnosis.components": ("SIZES", "SWEEPS"),
     "diagnosis.wandering": ("MODES",),
     "diagnosis.scattering": ("ROUNDED", "SIZES"),
-    "diagnosis.unnamed": ("SMALLEST", "STEPS"),
+    "diagnosis.unnamed": ("SMALLEST",),
     "diagnosis.correction": ("PROVEN", "LENGTHS", "SIZES", "KNOTS", "CANDIDATES"),
     "diagnosis.laws.screen": ("PART", "LOOKED_AT", "KINDS", "REFINED", "NEAR"),
     "diagnosis.laws.shape": ("MOST", "CLOSER", "LITTLE", "HARDLY", "RUNS", "FARTHER"),

@@ -11,7 +11,7 @@ from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.diagnosis.library import library
 from deltacal_gen.diagnosis.refits import form, refitted, terms_of
 from deltacal_gen.diagnosis.search import Search
-from deltacal_gen.diagnosis.unnamed import likely, shifts
+from deltacal_gen.diagnosis.unnamed import expected_products, shifts
 from deltacal_gen.estimation.fit import fit
 from deltacal_gen.estimation.problem import Problem, pose_problem
 from deltacal_gen.estimation.solvers import Prior
@@ -95,12 +95,13 @@ def test_what_is_expected_of_coefficients_is_what_they_are() -> None:
     for _ in range(400):
         c = 5.0 * rng.standard_normal(6)
         squares += c**2
-        expected += np.diag(likely(G, G @ c + basis.T @ rng.standard_normal(60), most=1e4))
+        y = basis @ c + rng.standard_normal(60)
+        expected += np.diag(expected_products(G, basis.T @ y, float(y @ y), most=1e4))
     assert expected == pytest.approx(squares, rel=0.25)
 
 
 def test_nothing_is_added_where_the_likeliest_size_is_none() -> None:
-    assert not likely(np.eye(3), np.full(3, 0.5), most=100.0).any()
+    assert not expected_products(np.eye(3), np.full(3, 0.5), 3.0, most=100.0).any()
 
 
 def test_a_diagnosis_tells_the_deviation_with_it() -> None:

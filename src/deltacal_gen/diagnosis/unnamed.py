@@ -17,10 +17,12 @@ import numpy as np
 from deltacal_gen.diagnosis.charges import carriers_of
 from deltacal_gen.diagnosis.refits import form, terms_of
 from deltacal_gen.diagnosis.search import Search
+from deltacal_gen.inference.likelihood import MixedModel
+from deltacal_gen.inference.sizes import fit_sizes
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.terms import Term
 
-SMALLEST, STEPS = 1e-6, 100  # size, of that of what was named, and how many from there are looked at
+SMALLEST = 1e-6  # of the size of what was named: less is none
 
 
 def shifts(search: Search) -> dict[tuple[object, ...], Array]:
@@ -30,7 +32,7 @@ def shifts(search: Search) -> dict[tuple[object, ...], Array]:
         if columns := _unnamed(search, cause, terms):
             own = {i: t for i, t in enumerate(terms) if _cause(t) == cause}
             most = max(search.beside.moved(search.fit.problem.coefficients(i)) for i in own)
-            products = likely(*search.normal(columns), most)
+            products = expected_products(*search.normal(columns), search.beside.squares, most)
             for i, term in own.items():
                 shift = search.shift_by(i, columns)
                 added[form(term)] = np.einsum("ij,jk,ik->i", shift, products, shift)
@@ -62,19 +64,10 @@ def _unnamed(search: Search, cause: frozenset[str], named: Sequence[Term]) -> li
     return out
 
 
-def likely(G: Array, b: Array, most: float) -> Array:
-    """Return the expected products (n, n) of coefficients of unit columns, drawn with the size that is likeliest.
-
-    G and b are the normal equations beside all that is fitted; `most` is the largest size that is looked at.
-    """
-    values, vectors = np.linalg.eigh(G)
-    values, along = np.maximum(values, 0.0), vectors.T @ b
-    variance = (most * np.geomspace(SMALLEST, 1.0, STEPS)) ** 2
-    shrunk = 1 / (values + 1 / variance[:, None])  # (sizes, n)
-    evidence = (along**2 * shrunk - np.log1p(variance[:, None] * values)).sum(axis=1)
-    best = int(np.argmax(evidence))
-    if evidence[best] <= 0:  # none at all explains the readings better
-        return np.zeros_like(G)
-    found = shrunk[best] * along
-    out: Array = (vectors * shrunk[best]) @ vectors.T + np.outer(vectors @ found, vectors @ found)
-    return out
+def expected_products(G: Array, b: Array, squares: float, most: float) -> Array:
+    """Return E[c c'] (n, n) of effects of unit columns in unit noise, drawn with the likeliest size, `most` at most."""
+    model, within = MixedModel.normal(G, b, squares, len(b)), ((SMALLEST * most) ** 2, most**2)
+    one = model.diagonal()
+    size = fit_sizes(one, np.zeros(len(one.s), dtype=int), within, noise=1.0).variances[0]
+    mean, covariance = model.posterior(np.full(len(b), size), 1.0)
+    return covariance + np.outer(mean, mean)
