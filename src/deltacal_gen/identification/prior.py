@@ -8,9 +8,12 @@ from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.prior import unsaid
 from deltacal_gen.estimation.system import system
 from deltacal_gen.files.robot import Robot
+from deltacal_gen.inference.likelihood import MixedModel
+from deltacal_gen.inference.projection import basis
+from deltacal_gen.inference.sizes import fit_sizes
 from deltacal_gen.machine.registry import Array
 
-FACTORS = tuple(np.geomspace(0.02, 4.0, 40).tolist())  # of a prior's size, that are tried
+FACTORS = (0.02, 4.0)  # of a prior's size, between which the likeliest is sought
 NOTHING_LEFT = 1e-12  # of a prior's variance: then the data know everything
 
 
@@ -25,20 +28,13 @@ def learned(at: Fit, robot: Robot) -> Array:
     found = system(state, at.sigma, at.weights, at.repeats, problem.scale)
     A_p, A_m, b = found.A_p, found.A_m, found.b
     departure = (at.errors[problem.columns] - problem.reference[problem.columns]) / problem.scale
-    target = b + A_p @ departure
-    Q = np.linalg.qr(np.hstack([A_m, A_p[:, n:]]))[0]
-    A, y = A_p[:, :n] - Q @ (Q.T @ A_p[:, :n]), target - Q @ (Q.T @ target)
-    G, g = A.T @ A, A.T @ y
+    fitted = basis(np.hstack([A_m, A_p[:, n:]]))
     left_open = unsaid(problem)
     free = np.array([name not in robot.tolerance and name not in left_open for name in problem.names])
-
-    def evidence(factor: float) -> float:
-        scale = np.where(free, factor, 1.0)
-        known = np.eye(n) + G * np.outer(scale, scale)
-        return float(scale * g @ np.linalg.solve(known, scale * g) - np.linalg.slogdet(known)[1])
-
-    best = max(FACTORS, key=evidence) if free.any() else 1.0
-    out: Array = np.where(free, best, 1.0) * problem.scale[:n]
+    low, high = FACTORS
+    model = MixedModel.of(A_p[:, :n], b + A_p @ departure, fitted)
+    size = fit_sizes(model, np.where(free, 0, -1), (low**2, high**2), noise=1.0).variances if free.any() else np.ones(1)
+    out: Array = np.where(free, max(low, size[0] ** 0.5), 1.0) * problem.scale[:n]
     return out
 
 
