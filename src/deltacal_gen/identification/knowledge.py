@@ -17,17 +17,18 @@ import numpy as np
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.system import system
 from deltacal_gen.identification.noise import Noise, freedom, lack_of_fit
+from deltacal_gen.inference.likelihood import MixedModel
+from deltacal_gen.inference.projection import basis, project_out
+from deltacal_gen.inference.sizes import fit_sizes
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.factors import packed, unpacked
 from deltacal_gen.results.parts import Source, Uncertainty
 from deltacal_gen.units import file_unit
 
 ORDINARY_SPREAD = np.log(3.0)  # of the size of left-out errors about the ordinary one, before the readings
-SIZES = np.geomspace(0.03, 30.0, 40)  # of left-out errors that are tried
-NOISES = np.geomspace(1e-6, 2.0, 60)  # parts of the fit's own variance that are tried as noise
-ROUNDS = 3  # through sizes and noise
+SIZES = (0.03, 30.0)  # of left-out errors, between which the likeliest is sought
+NOISES = (1e-6, 2.0)  # parts of the fit's own variance, likewise of the noise
 FEWEST = 3.0  # degrees of freedom on which a figure may rest
-UNSEEN = 1e-9  # of the largest column: less is none
 
 
 class _Left(NamedTuple):
@@ -117,12 +118,11 @@ def _widened(final: Fit, left: _Left, known: Noise) -> tuple[Array, dict[str, fl
     state = problem.linearise(final.errors, final.instrument, final.machine)
     linear = system(state, final.sigma, final.weights, final.repeats, problem.scale)
     A_p, A_m, b = linear.A_p, linear.A_m, linear.b
-    Q = np.linalg.qr(A_m)[0] if A_m.shape[1] else np.zeros((len(b), 0))
+    Q = basis(A_m)
     V, s, f = solution.V, solution.singular_values, solution.factors
     with np.errstate(divide="ignore", invalid="ignore"):
         back = (V * np.where(f > 0, f / s**2, 0.0)) @ V.T
-    beside = left.columns - Q @ (Q.T @ left.columns)
-    moved = back @ ((A_p - Q @ (Q.T @ A_p)).T @ beside)
+    moved = back @ (project_out(A_p, Q).T @ project_out(left.columns, Q))
     follow = -np.linalg.lstsq(A_m, A_p, rcond=None)[0] if A_m.shape[1] else np.zeros((0, A_p.shape[1]))
     direct = np.linalg.lstsq(A_m, left.columns, rcond=None)[0] if A_m.shape[1] else np.zeros((0, len(left.names)))
     by_left = np.vstack([moved * problem.scale[:, None], direct + follow @ moved])
@@ -156,27 +156,13 @@ def _sizes(
     if departure is not None:
         A = np.vstack([A, np.eye(len(departure), A.shape[1])])
         r, B = np.concatenate([b, -departure]), np.vstack([B, np.zeros((len(departure), B.shape[1]))])
-    U, s, _ = np.linalg.svd(A, full_matrices=False)
-    U = U[:, s > UNSEEN * s.max(initial=0.0)]
-    r, B = r - U @ (U.T @ r), B - U @ (U.T @ B)
-    W, d, _ = np.linalg.svd(B, full_matrices=False)
-    W = W[:, d > UNSEEN * max(float(d.max(initial=0.0)), 1.0)]
-    c, apart = W.T @ r, W.T @ B
-    kinds = np.array(left.units)
-    shares = {unit: apart[:, kinds == unit] @ apart[:, kinds == unit].T for unit in dict.fromkeys(left.units)}
-    rest, free = max(float(r @ r - c @ c), 0.0), max(len(b) - A_m.shape[1] - W.shape[1], 0)
-
-    def misfit(part: float, sizes: dict[str, float]) -> float:
-        """Return twice the negative logarithm of the restricted likelihood, and of what is likely before readings."""
-        C = part * np.eye(len(c)) + sum(size**2 * shares[unit] for unit, size in sizes.items())
-        before = sum((np.log(size) / ORDINARY_SPREAD) ** 2 for size in sizes.values())
-        within = float(np.linalg.slogdet(C)[1] + c @ np.linalg.solve(C, c)) if len(c) else 0.0
-        return within + free * float(np.log(part)) + rest / part + before
-
-    part, sizes = fixed or 1.0, dict.fromkeys(shares, 1.0)
-    for _ in range(ROUNDS):
-        if fixed is None:
-            part = min(NOISES.tolist(), key=lambda k: misfit(k, sizes))
-        for unit in sizes:
-            sizes[unit] = min(SIZES.tolist(), key=lambda size: misfit(part, sizes | {unit: size}))
-    return np.array([sizes[unit] for unit in left.units]), part
+    units = list(dict.fromkeys(left.units))
+    owner = np.array([units.index(unit) for unit in left.units])
+    found = fit_sizes(
+        MixedModel.of(B, r, basis(A)),
+        owner,
+        (SIZES[0] ** 2, SIZES[1] ** 2),
+        noise=NOISES if fixed is None else fixed,
+        spread=float(ORDINARY_SPREAD),
+    )
+    return np.sqrt(found.variances[owner]), found.noise
