@@ -106,14 +106,19 @@ def whitened(
     values: Array, read: np.ndarray, sigma: Array, weights: Array, shared: Repeats, out: Array | None = None
 ) -> Array:
     """Return values (R, k, ...) as rows (scalars, ...) of unit noise; `read` (R, k) says which there are."""
+    rows = in_unit_noise(values, read, sigma, weights, shared, out)
+    return rows.reshape(-1, *rows.shape[2:]) if read.all() else rows[read]
+
+
+def in_unit_noise(
+    values: Array, read: np.ndarray, sigma: Array, weights: Array, shared: Repeats, out: Array | None = None
+) -> Array:
+    """Return values (R, k, ...) whitened, those that are not `read` (R, k) as zero."""
     by = np.sqrt(weights)[:, None] * (np.sqrt(1 + np.asarray(shared.ratio)) / sigma)
-    unread, beside = ~read, values.ndim - 2
-    rows = np.multiply(values, by.reshape(*by.shape, *[1] * beside), out=out)
-    if not unread.any():
-        rows = shared.whiten(rows, weights)
-        return rows.reshape(-1, *rows.shape[2:])
-    rows[unread] = 0.0
-    return shared.whiten(rows, weights)[read]
+    rows = np.multiply(values, by.reshape(*by.shape, *[1] * (values.ndim - 2)), out=out)
+    if not read.all():
+        rows[~read] = 0.0
+    return shared.whiten(rows, weights)
 
 
 def length_of(A: Array) -> Array:

@@ -15,6 +15,7 @@ from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.residuals import GROSS, HUBER, Repeats
 from deltacal_gen.estimation.series import Series
 from deltacal_gen.estimation.solvers import Prior
+from deltacal_gen.estimation.system import in_unit_noise
 from deltacal_gen.identification.folds import folds
 from deltacal_gen.machine.registry import Array
 
@@ -198,10 +199,5 @@ def _weights(at: Fit) -> Array:
 def _rows(at: Fit, values: Array) -> Array:
     """Return values (R, k, ...) in units of the noise, what repeats share taken off; see `_weights`."""
     read = np.isfinite(at.residual).any(axis=0)
-    ratio = np.broadcast_to(at.repeats.ratio, read.shape)[read]
-    weights = _weights(at)
-    w = np.sqrt(weights)[:, None] / at.sigma[read] * np.sqrt(1 + ratio)
-    each = np.where(np.isfinite(at.residual).reshape(*at.residual.shape, *[1] * (values.ndim - 2)), values, 0.0)
-    return Repeats(at.repeats.group, ratio).whiten(
-        each[:, read] * w.reshape(*w.shape, *[1] * (values.ndim - 2)), weights
-    )
+    repeats = Repeats(at.repeats.group, np.broadcast_to(at.repeats.ratio, read.shape)[read])
+    return in_unit_noise(values[:, read], np.isfinite(at.residual)[:, read], at.sigma[read], _weights(at), repeats)
