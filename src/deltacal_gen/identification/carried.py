@@ -198,17 +198,18 @@ def further(at: Fit, known: Periodic, again: Callable[[tuple[Term, ...]], Fit]) 
     limbs = [j for j in known.errors if any(t.effect == wave() and j in t.limbs for t in problem.held)]
     if not limbs or rows.shape[1] != 1:
         return None
-    linear = Orders(at, problem.body.q[rows[:, 0]], limbs, folds(problem.readings, problem.recording), {})
-    roots = known.roots(limbs)
-    found = linear.of_prior(limbs, known.corner, roots)
+    parts, roots = folds(problem.readings, problem.recording), dict(zip(limbs, known.roots(limbs), strict=True))
+    linear = Orders(at, problem.body.q[rows[:, 0]], limbs, parts, {}, list(roots.values()))
+    found = linear.of_prior(limbs, known.corner, np.ones(2 * ORDERS))
     if linear.weighs_otherwise(found.noise):
-        found = linear.of_prior(limbs, known.corner, roots)
+        found = linear.of_prior(limbs, known.corner, found.prior)
     heldout = linear.borne_out(found)
-    if heldout is None or heldout[1] >= linear.without({j: known.errors[j] for j in limbs}).held_out_rms(None):
+    stand = {j: np.linalg.solve(L, known.errors[j]) for j, L in roots.items()}
+    if heldout is None or heldout[1] >= linear.without(stand).held_out_rms(None):
         return None
     each = linear.solved(found)
     held = [t for t in problem.held if t.effect != wave()]
-    held += as_terms({j: known.errors[j] + own.values for j, own in each.items()})
+    held += as_terms({j: known.errors[j] + roots[j] @ own.values for j, own in each.items()})
     # what is found beside them is as unknown as the orders leave it, their own degrees of freedom counted
     again_at = dataclasses.replace(
         again(tuple(held)),

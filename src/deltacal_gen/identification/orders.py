@@ -19,12 +19,15 @@ import numpy as np
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.residuals import lengths, rms
 from deltacal_gen.estimation.solvers import jitter
+from deltacal_gen.estimation.system import in_unit_noise
 from deltacal_gen.identification.folds import stands
+from deltacal_gen.inference.likelihood import MixedModel
+from deltacal_gen.inference.sizes import fit_sizes
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.terms import Term, effect_names, load_effect
 
 ORDERS = 100  # integer orders of a periodic error that are searched
-ROUNDS = 200  # of the estimation of sizes, each of them cheap
+RANGE = 1e8  # of the variance of coefficients, either way of the one that brings readings that of their noise
 PROVEN = 3.0  # standard deviations by which held-out poses must be better
 SAMPLE = 500  # readings at which the error's standard deviation is looked at
 SAME_NOISE = 1.5  # times: variances of noise that differ less weigh priors alike
@@ -65,9 +68,8 @@ class Sized:
         Joints (from 1).
     corner : float
         Order beyond which coefficients become small.
-    roots : tuple of array
-        Of each joint, L of the covariance L L' of its coefficients but for a common factor, [rad] where that is in
-        rad2: (2 orders, 2 orders), or the diagonal (2 orders,).
+    prior : (2 orders,) array
+        Variances of the coefficients of a joint, but for a common factor.
     variance, noise : float
         The common factor, and the variance of the whitened readings.
     evidence : float
@@ -76,7 +78,7 @@ class Sized:
 
     limbs: tuple[int, ...]
     corner: float
-    roots: tuple[Array, ...]
+    prior: Array
     variance: float
     noise: float
     evidence: float
@@ -112,6 +114,8 @@ class Orders:
         Masks (R,) of readings, every reading in one test.
     held : mapping
         Of joints whose error, or part of it, is held in the fit but sought here: its coefficients (orders, 2) [rad].
+    roots : sequence of (2 orders, 2 orders) arrays, optional
+        Of each joint, L of what is sought, u, where its coefficients are L u; without them they are u.
     """
 
     def __init__(
@@ -121,6 +125,7 @@ class Orders:
         limbs: Sequence[int],
         parts: Sequence[tuple[np.ndarray, np.ndarray]],
         held: Mapping[int, Array],
+        roots: Sequence[Array] = (),
     ) -> None:
         problem = at.problem
         machine = at.machine
@@ -128,6 +133,7 @@ class Orders:
         J, _ = at.instrument.linearise(problem.readings, problem.seen(machine), problem.displacements(machine))
         self._J = J[:, :, [j - 1 for j in limbs]]
         self._F = [waves(turns[:, j - 1]) for j in limbs]
+        self._F = [F @ L for F, L in zip(self._F, roots, strict=True)] if roots else self._F
         self._limbs = tuple(limbs)
         self._y = state.residual
         for i, j in enumerate(limbs):
@@ -155,11 +161,8 @@ class Orders:
         apart, series = dataclasses.replace(at.repeats, series=None), at.repeats.series
         number = 1.0 if series is None else 1 / series.rows
         self._scalars = number * float((read & (at.weights > 0)[:, None]).sum())
-        w = np.sqrt(at.weights * number)[:, None] / at.sigma * np.sqrt(1 + at.repeats.ratio)
-        out = []
-        for values in (np.concatenate([self._raw, self._y[..., None]], axis=2), self._J):
-            out.append(apart.whiten(np.where(read[..., None], values * w[..., None], 0.0), at.weights))
-        return out
+        every = np.concatenate([self._raw, self._y[..., None]], axis=2), self._J
+        return [number**0.5 * in_unit_noise(values, read, at.sigma, at.weights, apart) for values in every]
 
     def _gram(self, whitened: Sequence[Array], waves: Sequence[Array]) -> Array:
         """Return the products of all columns: n fitted, the readings, then the orders of each joint."""
@@ -180,7 +183,8 @@ class Orders:
 
     def _places(self, limbs: Sequence[int]) -> np.ndarray:
         m = 2 * ORDERS
-        return np.concatenate([self._n + 1 + m * self._limbs.index(j) + np.arange(m) for j in limbs])
+        first = np.array([self._n + 1 + m * self._limbs.index(j) for j in limbs], dtype=int)
+        return (first[:, None] + np.arange(m)).ravel()
 
     def weighs_otherwise(self, noise: float) -> bool:
         """Weigh priors of what is fitted by another noise; tell whether that changes anything."""
@@ -193,24 +197,26 @@ class Orders:
     @cached_property
     def _whole(self) -> tuple[Array, Array, float]:
         """Return normal equations of the orders and the sum of squares, all that is fitted beside taken out."""
-        return self._beside(np.sum(self._grams, axis=0))
-
-    def _of(self, limbs: Sequence[int]) -> tuple[Array, Array, float]:
-        own, (S, g, rest) = self._places(limbs) - self._n - 1, self._whole
-        return S[np.ix_(own, own)], g[own], rest
-
-    def _beside(self, G: Array) -> tuple[Array, Array, float]:
-        n = self._n
-        H, g = self._geometry(G)
+        n, G = self._n, np.sum(self._grams, axis=0)
+        H, g = self._normal(G, None)
         S = np.linalg.solve(H, np.column_stack([G[:n, n + 1 :], g]))
         coupling = G[n + 1 :, :n]
         rest = float(G[n, n] + self._noise * self._departure @ self._departure - g @ S[:, -1])
         return G[n + 1 :, n + 1 :] - coupling @ S[:, :-1], G[n + 1 :, n] - coupling @ S[:, -1], rest
 
-    def _geometry(self, G: Array) -> tuple[Array, Array]:
-        """Return the normal equations (n, n) and (n,) of what is fitted beside the orders, with its priors."""
-        n, held = self._n, self._noise * self._held
-        return G[:n, :n] + np.diag(held + jitter(np.diag(G)[:n])), G[:n, n] - held * self._departure
+    def _normal(self, G: Array, found: Sized | None) -> tuple[Array, Array]:
+        """Return the normal equations of what is fitted, and then of the orders that are found, with their priors."""
+        n, limbs, held = self._n, found.limbs if found else (), self._noise * self._held
+        own = np.append(np.arange(n), self._places(limbs))
+        H, g = G[np.ix_(own, own)], G[own, n]
+        prior = found.noise / found.variance / np.tile(found.prior, len(limbs)) if found else np.zeros(0)
+        H[np.diag_indices_from(H)] += np.append(held + jitter(np.diag(G)[:n]), prior)
+        g[:n] -= held * self._departure
+        return H, g
+
+    def _of(self, limbs: Sequence[int]) -> tuple[Array, Array, float]:
+        own, (S, g, rest) = self._places(limbs) - self._n - 1, self._whole
+        return S[np.ix_(own, own)], g[own], rest
 
     def sized(self, limbs: Sequence[int], start: float) -> Sized:
         """Return size, corner and noise of the largest evidence, sought from a corner on."""
@@ -226,60 +232,45 @@ class Orders:
         return best
 
     def _at_corner(self, limbs: Sequence[int], corner: float) -> Sized:
-        return self.of_prior(limbs, corner, [np.sqrt(np.repeat(shape(corner), 2))] * len(limbs))
+        return self.of_prior(limbs, corner, np.repeat(shape(corner), 2))
 
-    def of_prior(self, limbs: Sequence[int], corner: float, roots: Sequence[Array]) -> Sized:
+    def of_prior(self, limbs: Sequence[int], corner: float, prior: Array) -> Sized:
         """Return the common factor of a prior, and the noise, of the largest evidence; see `Sized`."""
-        S, g, rest = self._of(limbs)
-        size, vectors = np.linalg.eigh(_by_roots(roots, S))
-        size, along = np.maximum(size, 0.0), vectors.T @ _times(roots, g[:, None])[:, 0]
-        n = self._scalars
-        noise = rest / n
-        variance = len(g) * noise / max(float(size.sum()), 1e-300)
-        for _ in range(ROUNDS):  # expectation and maximisation (MacKay 1992)
-            c, spread = variance * along / (variance * size + noise), variance * noise / (variance * size + noise)
-            new = float(np.mean(c**2 + spread))
-            noise = (rest - 2 * float(c @ along) + float(c**2 @ size) + float(size @ spread)) / n
-            done, variance = abs(new - variance) < 1e-4 * variance, new
-            if done:
-                break
-        left = rest - float((variance * along**2 / (variance * size + noise)).sum())
-        evidence = -0.5 * (n * np.log(noise) + float(np.log1p(variance * size / noise).sum()) + left / noise)
-        return Sized(tuple(limbs), corner, tuple(roots), variance, noise, evidence)
+        model = self._model(limbs, prior).diagonal()
+        n, unit = len(model.s), len(model.s) / max(float((model.s**2).sum()), 1e-300)
+        ratios, noise, _ = fit_sizes(model, np.zeros(n, dtype=int), (unit / RANGE, unit * RANGE))
+        variance = max(float(ratios[0]), unit / RANGE) * noise
+        evidence = model.evidence(np.full(n, variance), noise)
+        return Sized(tuple(limbs), corner, prior, variance, noise, evidence)
+
+    def _model(self, limbs: Sequence[int], prior: Array) -> MixedModel:
+        """Return the mixed model of joints' coefficients in units of the roots of their prior variances."""
+        (S, g, rest), root = self._of(limbs), np.tile(np.sqrt(prior), len(limbs))
+        return MixedModel.normal(root[:, None] * S * root, root * g, rest, self._scalars)
 
     def gain(self, found: Sized, without: int) -> float:
         """Return twice the logarithm of the evidence for the error of one of the joints."""
-        kept = [i for i, j in enumerate(found.limbs) if j != without]
-        if not kept:
-            n, rest = self._scalars, self._whole[2]
-            return 2 * (found.evidence + 0.5 * (n * np.log(rest / n) + n))
-        S, g, rest = self._of([found.limbs[i] for i in kept])
-        roots = [found.variance**0.5 * found.roots[i] for i in kept]
-        L = np.linalg.cholesky(_by_roots(roots, S) / found.noise + np.eye(len(g)))
-        z = np.linalg.solve(L, _times(roots, g[:, None])[:, 0])
-        left = rest - float(z @ z) / found.noise
-        evidence = -0.5 * (self._scalars * np.log(found.noise) + 2 * np.log(np.diag(L)).sum() + left / found.noise)
-        return 2 * float(found.evidence - evidence)
+        kept = [j for j in found.limbs if j != without]
+        model, variances = self._model(kept, found.prior), np.full(len(kept) * len(found.prior), found.variance)
+        return 2 * (found.evidence - model.evidence(variances, found.noise if kept else model.noise(variances)))
 
     def solved(self, found: Sized) -> dict[int, Coefficients]:
         """Return the coefficients of each joint."""
-        S, g, _ = self._of(found.limbs)
-        inverse = np.linalg.inv(S + _pull(found))
-        out, m = {}, 2 * ORDERS
-        for i, (j, values) in enumerate(zip(found.limbs, (inverse @ g).reshape(-1, m), strict=True)):
+        root = np.tile(np.sqrt(found.prior), len(found.limbs))
+        model, out, m = self._model(found.limbs, found.prior), {}, 2 * ORDERS
+        mean, covariance = model.posterior(np.full(len(root), found.variance), found.noise)
+        for i, j in enumerate(found.limbs):
             own, F = slice(m * i, m * (i + 1)), self._F[self._limbs.index(j)]
+            values, C = root[own] * mean[own], root[own] * covariance[own, own] * root[own, None]
             some = F[:: max(len(F) // SAMPLE, 1)] - F.mean(axis=0)  # a constant is the joint's zero
-            C = np.asarray(found.noise * inverse[own, own])
             std = float(np.sqrt(np.mean(((some @ C) * some).sum(axis=1))))
             out[j] = Coefficients(values, C, float(np.std(F @ values)), std)
         return out
 
     def covariance(self, found: Sized) -> Array:
         """Return the covariance of what is fitted beside orders that are as unknown as the readings leave them."""
-        n, own, G = self._n, self._places(found.limbs), np.sum(self._grams, axis=0)
-        H, _ = self._geometry(G)
-        orders = G[np.ix_(own, own)] + _pull(found)
-        C = found.noise * np.linalg.inv(H - G[:n, own] @ np.linalg.solve(orders, G[own, :n]))
+        n, (H, _) = self._n, self._normal(np.sum(self._grams, axis=0), found)
+        C = found.noise * np.linalg.solve(H, np.eye(len(H), n))[:n]
         covariance: Array = C * self._scale * self._scale[:, None]
         return covariance
 
@@ -291,7 +282,7 @@ class Orders:
         proven = better.sum() > PROVEN * float(np.std(better)) * np.sqrt(len(better))
         return (rms(before), rms(after)) if proven else None
 
-    def without(self, errors: Mapping[int, Array]) -> Orders:
+    def without(self, errors: Mapping[int, np.ndarray]) -> Orders:
         """Return the same of readings in which errors (2 orders,) [rad] that are held in the fit stand again."""
         out, n = copy.copy(self), self._n
         t = np.zeros(len(self._grams[0]))
@@ -315,42 +306,13 @@ class Orders:
 
     def held_out(self, found: Sized | None) -> Array:
         """Return the errors (R, k) of readings by fits that have not seen them; nan of gross errors."""
-        whole, n = np.sum(self._grams, axis=0), self._n
-        limbs = () if found is None else found.limbs
-        own = self._places(limbs) if found is not None else np.zeros(0, dtype=int)
-        out = np.full(self._y.shape, np.nan)
+        whole, n, out = np.sum(self._grams, axis=0), self._n, np.full(self._y.shape, np.nan)
         for test, gram in zip(self._tests, self._grams, strict=True):
-            S, g, _ = self._beside(G := whole - gram)
-            c = np.zeros(0)
-            if found is not None:
-                at = own - n - 1
-                c = np.linalg.solve(S[np.ix_(at, at)] + _pull(found), g[at])
-            H, b = self._geometry(G)
-            u = np.linalg.solve(H, b - G[:n, own] @ c)
-            left = self._y[test] - self._raw[test] @ u
-            for j, values in zip(limbs, c.reshape(-1, 2 * ORDERS), strict=True):
+            u = np.linalg.solve(*self._normal(whole - gram, found))
+            left = self._y[test] - self._raw[test] @ u[:n]
+            for j, values in zip(found.limbs if found else (), u[n:].reshape(-1, 2 * ORDERS), strict=True):
                 i = self._limbs.index(j)
                 left -= self._J[test][:, :, i] * (self._F[i][test] @ values)[:, None]
             out[test] = left
         out[~self._quiet] = np.nan
         return out
-
-
-def _times(roots: Sequence[Array], values: Array) -> Array:
-    """Return L' times the rows of `values` (n, k), joint by joint."""
-    parts = np.split(values, len(roots))
-    return np.concatenate([r[:, None] * v if r.ndim == 1 else r.T @ v for r, v in zip(roots, parts, strict=True)])
-
-
-def _by_roots(roots: Sequence[Array], S: Array) -> Array:
-    """Return L' S L of a symmetric matrix."""
-    return _times(roots, _times(roots, S).T)
-
-
-def _pull(found: Sized) -> Array:
-    """Return what the prior adds to the normal equations (n, n)."""
-    from scipy.linalg import block_diag
-
-    inverse = (np.diag(1 / r) if r.ndim == 1 else np.linalg.inv(r) for r in found.roots)
-    out: Array = block_diag(*(each.T @ each for each in inverse)) * (found.noise / found.variance)
-    return out
