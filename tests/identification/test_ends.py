@@ -96,7 +96,7 @@ def test_what_is_freed_has_unit_covariance(moved: np.ndarray, own: float, counte
     root = np.sqrt(weight)
     W = ends.freed(np.eye(n))
     assert W @ (root[:, None] * covariance * root) @ W.T == pytest.approx(np.eye(n), abs=1e-9)
-    assert ends.volume == pytest.approx(np.linalg.slogdet(covariance)[1], abs=1e-9)
+    assert ends.noise.log_det == pytest.approx(np.linalg.slogdet(covariance)[1], abs=1e-9)
     others = np.linalg.inv(covariance)
     e = np.random.default_rng(2).standard_normal((n, 1))
     assert ends.alone(e)[:, 0] == pytest.approx((others @ e)[:, 0] / np.sqrt(np.diag(others)), abs=1e-9)

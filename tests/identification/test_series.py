@@ -40,7 +40,7 @@ def test_what_is_freed_has_unit_covariance(rho: float, own: float) -> None:
     covariance[np.ix_(ORDER, ORDER)] = np.where(np.eye(n) > 0, 1.0, inside)
     W = series.freed(np.eye(n))
     assert W @ covariance @ W.T == pytest.approx(np.eye(n), abs=1e-6)
-    assert series.volume == pytest.approx(np.linalg.slogdet(covariance)[1], abs=1e-6)
+    assert series.noise.log_det == pytest.approx(np.linalg.slogdet(covariance)[1], abs=1e-6)
 
 
 def test_components_are_freed_alike() -> None:

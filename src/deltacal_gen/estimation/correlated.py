@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+import dataclasses
 from abc import ABC, abstractmethod
-from typing import NamedTuple, Self
+from typing import Any, NamedTuple, Self, cast
 
 import numpy as np
 
+from deltacal_gen.inference.likelihood import MixedModel
+from deltacal_gen.inference.noise import NoiseModel
+from deltacal_gen.inference.sizes import fit_sizes
 from deltacal_gen.machine.registry import Array
 
-SIZES = np.geomspace(0.5, 2.0, 21)  # of noise that are tried, in the one that what each direction leaves speaks for
-SETTLING = 10  # rounds to that one
-UNSEEN = 1e-6  # of the largest singular value: less is no direction that readings see
-DEFINITE = 1e-12  # of the variance: keeps a factor real where rounding would not
+NOISES = 10.0  # times the variance that a fit leaves, either way: between these that of noise is sought
+FAINT = 1e-6  # weight below which a reading counts for nothing
 TINY = 1e-300  # of what readings without any error leave
 
 
@@ -35,9 +37,9 @@ class Correlated(ABC):
     own: float
 
     @property
-    @abstractmethod
     def rows(self) -> float:
-        """So many rows tell as much of a mean as one whose noise is its own."""
+        """So many rows tell as much of a mean as one whose noise is its own; by default as many as of its size."""
+        return self.rows_of_size
 
     @property
     @abstractmethod
@@ -45,31 +47,36 @@ class Correlated(ABC):
         """So many rows tell as much of the size of noise as one whose noise is its own."""
 
     @property
-    @abstractmethod
     def within(self) -> float:
-        """Part of the variance that rows of a set-up show about their mean."""
+        """Part of the variance that rows of a set-up show about their mean; by default all of it."""
+        return 1.0
 
     @property
     @abstractmethod
-    def volume(self) -> float:
-        """Logarithm of the determinant of the covariance of one component."""
+    def noise(self) -> NoiseModel:
+        """Noise of one component."""
 
     @property
     @abstractmethod
     def text(self) -> str:
         """What readings have in common, in words."""
 
-    @abstractmethod
     def like(self, other: Correlated) -> Self:
         """Return the noise of these readings as that of others is, of the same sort."""
+        return dataclasses.replace(cast(Any, self), rho=other.rho, own=other.own)
 
-    @abstractmethod
     def weighted(self, weight: Array | None) -> Self:
         """Return the noise of rows that count so much (R,), 1 fully."""
+        return dataclasses.replace(cast(Any, self), weight=weight)
 
-    @abstractmethod
+    def counts(self, n: int) -> Array:
+        """Return how much each of n rows counts."""
+        return np.ones(n) if self.weight is None else np.maximum(self.weight, FAINT)
+
     def freed(self, values: Array) -> Array:
-        """Return rows (R, ...) freed of what others tell; noise of size 1 stays so."""
+        """Return rows (R, ...) freed of what others tell, those before them where they have an order, of size 1."""
+        root = np.sqrt(self.counts(len(values)))
+        return self.noise.whiten(values / root.reshape(-1, *[1] * (values.ndim - 1)))
 
     def ways(self, values: Array) -> Array:
         """Return rows (R, ...) freed in each way (w, R, ...) in which one may go through them: none is the noise's own.
@@ -101,34 +108,12 @@ class Correlated(ABC):
         likelihood is that of the rest (Patterson and Thompson 1971, Biometrika 58, 545-554).
         """
         e = self.freed(z).ravel()
-        volume = z.shape[1] * self.volume
+        volume = z.shape[1] * self.noise.log_det
         if taken is None:
             return float(e.size * np.log(np.mean(e**2)) + volume)
         A, M = (self.freed(columns).reshape(len(e), -1) for columns in (taken.known, taken.free))
         Q, R = np.linalg.qr(M)
-        both = np.column_stack([A, e])
-        both -= Q @ (Q.T @ both)
-        A, e = both[:, :-1], both[:, -1]
-        A, inner = np.linalg.qr(A)
-        U, root, V = np.linalg.svd(inner, full_matrices=False)  # a part may have fewer readings than columns
-        seen = root > UNSEEN * root.max(initial=0.0)  # of joints without a drawing the instrument alone is unknown
-        A, root = A @ U[:, seen], root[seen]
-        along, size = A.T @ e, root**2
-        rest, free = max(float(np.sum((e - A @ along) ** 2)), TINY), len(e) - M.shape[1]
-        inside = (along - root * (V[seen] @ taken.toward)) ** 2
-        about = max(float(e @ e), TINY) / max(free, 1)  # what the fit leaves is near to it, wherever the machine stands
-        for _ in range(SETTLING):  # to where the slope of the likelihood by the size is nothing
-            noise = about / (about + size)
-            about = (rest + (inside * noise**2).sum()) / max(free - len(size) + noise.sum(), DEFINITE)
-        s = about * SIZES[:, None] ** 2
-        each = free * np.log(s[:, 0]) + np.log1p(size / s).sum(axis=1)
-        each += rest / s[:, 0] + (inside / (s + size)).sum(axis=1)
-        return _least(each) + volume + 2 * float(np.log(np.abs(np.diagonal(R))).sum())
-
-
-def _least(each: Array) -> float:
-    """Return the least of values (n,) in equal steps, between them by a parabola."""
-    k = int(np.clip(np.argmin(each), 1, len(each) - 2))
-    before, at, after = each[k - 1 : k + 2]
-    bend = before - 2 * at + after
-    return float(at - (after - before) ** 2 / (8 * bend)) if bend > 0 else float(min(each))
+        model = MixedModel.of(A, e - A @ taken.toward, Q).diagonal()
+        about = max(float(e @ e), TINY) / max(model.contrasts, 1)  # what the fit leaves, wherever the machine stands
+        found = fit_sizes(model, np.full(len(model.s), -1), noise=(about / NOISES, about * NOISES))
+        return found.deviance + volume + 2 * float(np.log(np.abs(np.diagonal(R))).sum())

@@ -12,19 +12,18 @@ from __future__ import annotations
 import dataclasses
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
 
 import numpy as np
 
-from deltacal_gen.estimation.correlated import Correlated, Taken
+from deltacal_gen.estimation.correlated import FAINT, Correlated, Taken
+from deltacal_gen.inference.noise import NoiseModel
+from deltacal_gen.inference.sizes import least
 from deltacal_gen.instrument.kind import Readings
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.values import Recording, numbered
 
 LEAST_OWN = 1e-3  # part of the variance that is a reading's own, at least: what is computed of positions is rounded
 ODDS = np.linspace(-3.0, float(np.log(1 / LEAST_OWN - 1)), 9)  # log of the shared part over the own, that are tried
-REFINED = 6  # times that the step between those is halved
-FAINT = 1e-6  # weight below which a reading counts for nothing
 FLAT = 1e-10  # of the largest square: less is a direction in which no point moves a reading
 PER_POINT = 12  # distances that are looked at for each point: four times as many as tell where it is
 SPARE = 3  # distances more than follow, of which noise of their own is told
@@ -84,25 +83,11 @@ class Ends(Correlated):
         moved[every, points[:, 0]] -= direction
         return Ends(moved.reshape(len(found), -1))
 
-    def like(self, other: Correlated) -> Ends:
-        """Return the noise of these readings as others share it."""
-        return dataclasses.replace(self, own=other.own)
-
-    @property
-    def rows(self) -> float:
-        """As many as tell of its size: signs of directions are anybody's."""
-        return self.rows_of_size
-
     @cached_property
     def rows_of_size(self) -> float:
         """So many tell as much of the size of noise as one whose noise is its own: mean square of correlations."""
         square = float((self._products**2).sum()) if len(self.moved) else 0.0
         return self.own**2 + 2 * self.own * (1 - self.own) + (1 - self.own) ** 2 * square / max(len(self.moved), 1)
-
-    @property
-    def within(self) -> float:
-        """All of it."""
-        return 1.0
 
     @property
     def text(self) -> str:
@@ -120,55 +105,20 @@ class Ends(Correlated):
         return products
 
     @cached_property
-    def _scaled(self) -> _Root:
-        """Return the inverse root of the covariance."""
-        counts = np.ones(len(self.moved)) if self.weight is None else np.maximum(self.weight, FAINT)
-        by = 1 / np.sqrt(np.maximum(self.own, LEAST_OWN) + 1 / counts - 1)
-        B = self.moved * (by * np.sqrt((1 - self.own) / 2))[:, None]
-        if B.shape[0] <= B.shape[1]:
-            square, U = np.linalg.eigh(B @ B.T)
-        else:
-            square, V = np.linalg.eigh(B.T @ B)
-            seen = square > FLAT * square[-1]
-            square, U = square[seen], B @ V[:, seen] / np.sqrt(square[seen])
-        return _Root(by, np.sqrt(counts), U, np.maximum(square, 0.0))
-
-    @property
-    def volume(self) -> float:
-        """Logarithm of the determinant of the covariance."""
-        root = self._scaled
-        return float(np.log1p(root.square).sum() - 2 * np.log(root.by).sum())
-
-    def weighted(self, weight: Array | None) -> Ends:
-        """Return the noise of rows that count so much (R,), 1 fully."""
-        return dataclasses.replace(self, weight=weight)
-
-    def freed(self, values: Array) -> Array:
-        """Return distances (R, ...) freed of what others tell; noise of size 1 stays so."""
-        root = self._scaled
-        v = values.reshape(len(values), -1) * (root.by / root.counted)[:, None]
-        v -= root.U @ ((1 - 1 / np.sqrt(1 + root.square))[:, None] * (root.U.T @ v))
-        return v.reshape(values.shape)
-
-    def raw(self, values: Array) -> Array:
-        """Return distances (R, ...) as they were before they were freed."""
-        root = self._scaled
-        v = values.reshape(len(values), -1)
-        v = v + root.U @ ((np.sqrt(1 + root.square) - 1)[:, None] * (root.U.T @ v))
-        v *= (root.counted / root.by)[:, None]
-        return v.reshape(values.shape)
+    def noise(self) -> NoiseModel:
+        """Noise of distances."""
+        n = len(self.moved)
+        own = np.maximum(self.own, LEAST_OWN) + 1 / self.counts(n) - 1
+        return NoiseModel(np.arange(n), own, np.zeros(n), 0.0, self.moved * np.sqrt((1 - self.own) / 2))
 
     def alone(self, values: Array) -> Array:
         """Return what all others do not tell of each distance (R, 1); noise of size 1 stays so."""
-        root = self._scaled
-        gone = root.square / (1 + root.square)
-        e = values * root.by[:, None]
-        e -= root.U @ (gone[:, None] * (root.U.T @ e))
-        return e / np.sqrt(np.maximum(1 - root.U**2 @ gone, FAINT))[:, None]
+        return self.noise.alone(values)
 
     def parted(self, freed: Array, chosen: np.ndarray) -> Array:
         """Return of distances (R, ...) that are freed some, freed of one another alone."""
-        return self.subset(chosen).freed(self.raw(freed)[chosen])
+        raw = self.noise.restore(freed) * np.sqrt(self.counts(len(freed))).reshape(-1, *[1] * (freed.ndim - 1))
+        return self.subset(chosen).freed(raw[chosen])
 
     def freed_among(self, values: Array, known: np.ndarray) -> Array:
         """Return distances (R, ...) freed of those that are known (R,), others zero."""
@@ -184,16 +134,14 @@ class Ends(Correlated):
     def likeliest(self, z: Array, taken: Taken | None = None) -> tuple[Ends, float]:
         """Return the noise that explains distances (R, 1) best, beside what a fit took of them, and its deviance."""
 
-        def tried(odds: float) -> tuple[float, float]:
-            own = 1 / (1 + float(np.exp(odds)))
-            return dataclasses.replace(self, own=own).deviance(z, taken), odds
+        def tried(odds: float) -> Ends:
+            return dataclasses.replace(self, own=1 / (1 + float(np.exp(odds))))
 
-        best, step = min(map(tried, ODDS.tolist())), float(ODDS[1] - ODDS[0])
-        for _ in range(REFINED):
-            step /= 2
-            best = min(best, *(tried(min(best[1] + way * step, float(ODDS[-1]))) for way in (1, -1)))
-        found = dataclasses.replace(self, own=1 / (1 + float(np.exp(best[1]))))
-        return min((found, best[0]), (dataclasses.replace(self, own=1.0), self.deviance(z, taken)), key=lambda f: f[1])
+        (odds,), cost = least(
+            lambda x: tried(*x).deviance(z, taken), ODDS[:, None], [ODDS[1] - ODDS[0]], [ODDS[[0, -1]]]
+        )
+        alone = dataclasses.replace(self, own=1.0)
+        return min((tried(odds), cost), (alone, alone.deviance(z, taken)), key=lambda f: f[1])
 
     def leading(self, left: Array, noise: float) -> np.ndarray | None:
         """Return which distances the others follow from, where these have no noise of their own; None where they have.
@@ -222,12 +170,3 @@ class Ends(Correlated):
         rest = left[some] - D @ np.linalg.lstsq(D, left[some], rcond=np.sqrt(FLAT))[0]
         own = 1.4826 * float(np.median(np.abs(rest))) * np.sqrt(len(some) / (len(some) - rank))
         return None if own > FOLLOWS * noise else np.sort(some[order[:rank]])
-
-
-class _Root(NamedTuple):
-    """Inverse root ``(1 - U (1 - 1 / sqrt(1 + square)) U^T) by`` of a covariance of rows that come `counted`."""
-
-    by: Array
-    counted: Array
-    U: Array
-    square: Array

@@ -10,24 +10,26 @@ from __future__ import annotations
 
 import dataclasses
 import itertools
+from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cache, cached_property
+from functools import cached_property
 
 import numpy as np
 
-from deltacal_gen.estimation.correlated import DEFINITE, Correlated, Taken
+from deltacal_gen.estimation.correlated import Correlated, Taken
+from deltacal_gen.inference.noise import NoiseModel
+from deltacal_gen.inference.sizes import least
 from deltacal_gen.instrument.kind import Readings
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.values import Recording, numbered
 
 LONGEST = 1e-3  # 1 - rho of neighbours: within any recording that is a walk
 FADES = (0.0, *np.linspace(-0.2, np.log(LONGEST), 12).tolist())  # log(1 - rho) that are tried
-OWN = (0.1, 0.3, 0.5, 0.7, 0.9)  # parts of the variance that are each row's own, likewise
-REFINED = 6  # times that the steps between those are halved
+OWN = (0.1, 0.5, 0.9)  # parts of the variance that are each row's own, likewise
+STEPS, LIMITS = (0.6, 0.2), ((np.log(LONGEST), 0.0), (0.0, 0.99))  # of both, from the best of these on
 OWN_PRICE = 6.6  # of the deviance: what a part of each row's own must explain; chance does in one of a hundred
 TWICE = 2.0  # times that a set-up shows what fades: what it shows less often goes from one end of it to the other
 SORTED = 0.2  # of the rows of a file, that are earlier than the one before: it is not in the order of reading
-FAINT = 1e-6  # weight below which a reading counts for nothing
 STILL = 1e-3  # rows between points of one pose: none, but for what keeps their covariance from being singular
 
 
@@ -96,10 +98,6 @@ class Series(Correlated):
             gap[same & (np.diff(pose[order]) == 0)] = STILL
         return Series(order, np.concatenate([[np.inf], gap]))
 
-    def like(self, other: Correlated) -> Series:
-        """Return the noise of these readings as that of others hangs together."""
-        return dataclasses.replace(self, rho=other.rho, own=other.own)
-
     @property
     def text(self) -> str:
         """How the noise of rows hangs together, in words."""
@@ -154,26 +152,6 @@ class Series(Correlated):
         """Rows that a set-up has, in the mean."""
         return len(self.gap) / float(np.isinf(self.gap).sum())
 
-    def weighted(self, weight: Array | None) -> Series:
-        """Return the noise of rows that count so much (R,), 1 fully."""
-        return dataclasses.replace(self, weight=weight)
-
-    def freed(self, values: Array) -> Array:
-        """Return rows (R, ...) freed of what those before them tell; noise of size 1 stays so."""
-        out = np.empty_like(values, dtype=float)
-        v = values[self.order].reshape(len(self.order), -1)
-        if self.weight is not None:
-            v = v / np.sqrt(self._counts)[:, None]
-        e = np.array(v, dtype=float)
-        e[1:] -= self._told[1:, None] * v[:-1]
-        e /= self._left[:, None]
-        if self._parted:
-            from scipy.linalg import solve_banded
-
-            e = solve_banded((1, 0), self._factor, e, overwrite_b=True, check_finite=False)
-        out[self.order] = e.reshape(values[self.order].shape)
-        return out
-
     def ways(self, values: Array) -> Array:
         """Return rows (R, ...) freed of what those before tell, and of what those after do, (2, R, ...)."""
         return np.stack([self.freed(values), self._backwards.freed(values)])
@@ -203,66 +181,23 @@ class Series(Correlated):
         return told
 
     @cached_property
-    def _left(self) -> Array:
-        """Standard deviation of what it does not tell."""
-        left: Array = np.sqrt(1 - self._told**2)
-        return left
-
-    @cached_property
-    def _counts(self) -> Array:
-        """How much each row counts, in their order."""
-        return np.ones(len(self.order)) if self.weight is None else np.maximum(self.weight[self.order], FAINT)
-
-    @cached_property
-    def _parted(self) -> bool:
-        """Whether any row has noise of its own."""
-        return bool(self.own or (self._counts < 1).any())
-
-    @cached_property
-    def _factor(self) -> Array:
-        """Factor (2, R) of the covariance of rows that are freed of what fades, as `solve_banded` takes it."""
-        from scipy.linalg import cholesky_banded
-
-        told, left = self._told, self._left
-        covariance = np.zeros((2, len(left)))
-        own = self.own + 1 / self._counts - 1
-        covariance[0] = (1 - self.own) + own / left**2 + DEFINITE
-        covariance[0, 1:] += told[1:] ** 2 * own[:-1] / left[1:] ** 2
-        covariance[1, :-1] = -own[:-1] * told[1:] / left[1:] / left[:-1]
-        factor: Array = cholesky_banded(covariance, lower=True, check_finite=False)
-        return factor
-
-    @property
-    def volume(self) -> float:
-        """Logarithm of the determinant of the covariance of one component."""
-        volume = 2 * float(np.log(self._left).sum())
-        return volume + 2 * float(np.log(self._factor[0]).sum()) if self._parted else volume
+    def noise(self) -> NoiseModel:
+        """Noise of one component."""
+        own = self.own + 1 / self.counts(len(self.gap))[self.order] - 1
+        return NoiseModel(self.order, own, self._told, 1 - self.own, np.zeros((len(own), 0)))
 
     def likeliest(self, z: Array, taken: Taken | None = None) -> tuple[Series, float]:
         """Return the noise that explains rows (R, k) best, beside what a fit took out of them, and its deviance."""
 
-        @cache
-        def tried(fades: float, own: float) -> tuple[float, float, float]:
-            at = dataclasses.replace(self, rho=1 - float(np.exp(fades)), own=own)
-            return at.deviance(z, taken) + OWN_PRICE * (own > 0), fades, own
+        def tried(fades: float, own: float = 0.0) -> Series:
+            return dataclasses.replace(self, rho=1 - float(np.exp(fades)), own=own)
 
-        starts = [(fades, 0.0) for fades in FADES]
-        if self.points > 1:  # what points of a pose share is told from their own noise; some of the rest is near enough
-            starts += itertools.product(FADES[1::3], OWN)
-        best = min(tried(*start) for start in starts)
-        if best[1]:
-            k = FADES.index(best[1])
-            for own in OWN:  # noise that is each row's own makes the rest fade more slowly: the best is near the last
-                here = tried(FADES[k], own)
-                for way in (1, -1):
-                    while 1 <= k + way < len(FADES) and (beside := tried(FADES[k + way], own)) < here:
-                        here, k = beside, k + way
-                best = min(best, here)
-            step, part = FADES[1] - FADES[2], OWN[1] - OWN[0]
-            for _ in range(REFINED):
-                step, part = step / 2, part / 2
-                _, at, own = best
-                shifts = ((at + step, own), (at - step, own), (at, own + part), (at, own - part))
-                best = min(best, *(tried(min(a, 0.0), o) for a, o in shifts if 0 <= o < 1))
-        cost, fades, own = best
-        return dataclasses.replace(self, rho=1 - float(np.exp(fades)), own=own), cost - OWN_PRICE * (own > 0)
+        def cost(x: Sequence[float] | Array) -> float:
+            return tried(*x).deviance(z, taken)
+
+        first = min(FADES, key=lambda fades: cost([fades]))
+        if not first and self.points == 1:
+            return tried(0.0), cost([0.0])
+        lone, alone = least(cost, [[first]], STEPS[:1], LIMITS[:1])
+        both, shared = least(cost, [*itertools.product(FADES[1::3], OWN)], STEPS, LIMITS)
+        return (tried(*both), shared) if shared + OWN_PRICE < alone else (tried(*lone), alone)
