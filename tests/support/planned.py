@@ -10,9 +10,10 @@ import numpy as np
 
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.identification.identifiability import Combination, observability, unseen
+from deltacal_gen.inference.projection import basis, project_out
 from deltacal_gen.instrument.kinds import PAIRS, kind_of
 from deltacal_gen.machine.registry import Array, mechanism_of
-from deltacal_gen.planning.matrix import Task, generic, matrix_of, without
+from deltacal_gen.planning.matrix import Task, generic, matrix_of
 from deltacal_gen.planning.optimal import with_frame
 from deltacal_gen.planning.reach import reached_of
 from deltacal_gen.planning.targets import OFFSETS, reference_points
@@ -106,5 +107,5 @@ def log_determinant(task: Task, targets: Array) -> float:
     """Return what `d_optimal` maximises, in ordinary errors and for noise of 1 mm; -inf where the rank is short."""
     poses = reached_of(task.robot, targets, task.tools)
     J, F, _ = with_frame(task, poses)
-    figures = observability(without(J.reshape(-1, J.shape[2]), F.reshape(-1, F.shape[2])), len(poses))
+    figures = observability(project_out(J.reshape(-1, J.shape[2]), basis(F.reshape(-1, F.shape[2]))), len(poses))
     return float(2 * np.log(figures.singular_values).sum()) if figures.rank == len(task.names) else -math.inf

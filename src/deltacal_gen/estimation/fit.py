@@ -30,6 +30,7 @@ from deltacal_gen.estimation.solvers import LeastSquares, Prior, Solution, Solve
 from deltacal_gen.estimation.steps import Linear, State, improved
 from deltacal_gen.estimation.system import System, system, whitened
 from deltacal_gen.estimation.turns import turned
+from deltacal_gen.inference.projection import basis, project_out
 from deltacal_gen.instrument.kind import Instrument
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.deformed import Deformed
@@ -418,8 +419,8 @@ def _leverage(linear: System, solution: Solution, read: np.ndarray, groups: np.n
 
 def _taken_up(linear: System, solution: Solution) -> Array:
     """Return columns (scalars, n_m + n) whose products are the hat matrix: what of the rows a solution takes up."""
-    Q = np.linalg.qr(linear.A_m)[0]
-    A = linear.A_p - Q @ (Q.T @ linear.A_p)
+    Q = basis(linear.A_m)
+    A = project_out(linear.A_p, Q)
     with np.errstate(divide="ignore", invalid="ignore"):
         weight = np.where(solution.factors > 0, np.sqrt(solution.factors) / solution.singular_values, 0.0)
     return np.hstack([Q, A @ solution.V * weight])

@@ -8,6 +8,7 @@ import numpy as np
 
 from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.files.robot import Robot
+from deltacal_gen.inference.projection import basis, project_out
 from deltacal_gen.machine.registry import SOLVED, Array, mechanism_of
 from deltacal_gen.machine.rotation import about_z, align, from_vector, swept
 from deltacal_gen.machine.values import Workspace
@@ -193,6 +194,4 @@ def largest(errors: Sequence[float] | Array) -> float:
 def without_motion(J: Array, points: Array) -> Array:
     """Return displacements (3 N, n) of points (N, 3) less the rigid motion that fits each column best."""
     rigid = np.concatenate([np.tile(np.eye(3), (len(points), 1, 1)), swept(points)], axis=2).reshape(-1, 6)
-    Q = np.linalg.qr(rigid)[0]
-    out: Array = J - Q @ (Q.T @ J)
-    return out
+    return project_out(J, basis(rigid))

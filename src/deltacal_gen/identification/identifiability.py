@@ -15,6 +15,7 @@ import numpy as np
 from deltacal_gen.errors import UsageError
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.files.robot import Robot
+from deltacal_gen.inference.projection import basis, project_out
 from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.units import file_unit, to_internal
 
@@ -103,12 +104,9 @@ def identification_matrix(problem: Problem, convention: str = "file") -> Identif
     if problem.readings.kind.in_differences(problem.recording.measurement):
         J_p, J_m, r = np.diff(J_p, axis=0), np.diff(J_m, axis=0)[:, :-1], np.diff(r)  # the zero falls out
     moved = J_p * factors
-    if J_m.shape[1]:
-        if len(problem.readings) * state.residual.shape[1] < instrument.n_unknown:
-            Q = np.zeros((len(r), 0))
-        else:
-            Q = np.linalg.qr(J_m)[0]
-        J_p, r = J_p - Q @ (Q.T @ J_p), r - Q @ (Q.T @ r)
+    if J_m.shape[1] and len(problem.readings) * state.residual.shape[1] >= instrument.n_unknown:
+        Q = basis(J_m)
+        J_p, r = project_out(J_p, Q), project_out(r, Q)
     return IdentificationMatrix(J_p * factors, r, moved, problem.names, units, convention)
 
 

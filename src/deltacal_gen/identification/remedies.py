@@ -9,6 +9,7 @@ import numpy as np
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.prior import with_prior
 from deltacal_gen.estimation.problem import Problem
+from deltacal_gen.inference.projection import basis, project_out
 from deltacal_gen.instrument.kinds import PAIRS, POINTS, kind_of
 from deltacal_gen.machine.registry import SOLVED, Array, mechanism_of
 from deltacal_gen.machine.rotation import about_z
@@ -149,6 +150,5 @@ def _pinned(problems: list[Problem], final: Fit) -> int:
     A = []
     for parts in blocks.values():  # readings of one kind share the instrument
         J_p, J_m = np.vstack([a for a, _ in parts]), np.vstack([b for _, b in parts])
-        Q = np.linalg.qr(J_m)[0] if J_m.shape[1] else np.zeros((len(J_m), 0))
-        A.append(J_p - Q @ (Q.T @ J_p))
+        A.append(project_out(J_p, basis(J_m)))
     return int((np.linalg.svd(np.vstack(A), compute_uv=False) > 1).sum())

@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from scipy.optimize import minimize
 
+from deltacal_gen.inference.projection import basis, project_out
 from deltacal_gen.motion.fit import Fit, fitted
 from deltacal_gen.motion.joint import OFFSET
 from deltacal_gen.motion.ladder import ALIKE, BEGUN_WITH, BUYS, PER_COEFFICIENT
@@ -246,12 +247,8 @@ class _Search:
         """Take terms of the law as known beside what the fit has."""
         self.terms = [_rung(form, self.limits) for form in terms]
         beside = np.hstack([self.own[self.rows], *(rung.columns(self.some) for rung in self.terms)])
-        size = np.sqrt(np.mean(beside**2, axis=0))
-        Q, R = np.linalg.qr(beside / np.where(size > 0, size, 1.0))
-        firm = np.abs(np.diag(R)) > 1e-8 * np.abs(R).max(initial=0.0)
-        self.Q = Q[:, firm]
-        y = self.fit.joint.y[self.rows]
-        self.left = y - self.Q @ (self.Q.T @ y)
+        self.Q = basis(beside, 1e-8)
+        self.left = project_out(self.fit.joint.y[self.rows], self.Q)
 
     def explained(self, form: Form) -> float:
         """Return which part of the squares that are left a form takes away, at the samples of the screen."""
@@ -260,7 +257,7 @@ class _Search:
             size = np.sqrt((Z**2).sum(axis=0))
         if not np.isfinite(size).all():
             return 0.0
-        Z = Z - self.Q @ (self.Q.T @ Z)
+        Z = project_out(Z, self.Q)
         free = np.sqrt((Z**2).sum(axis=0))
         if (free <= 1e-6 * size).any():
             return 0.0

@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from deltacal_gen.inference.projection import basis, project_out
+
 if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Array
     from deltacal_gen.motion.fit import Fit
@@ -128,8 +130,8 @@ def _step(fits: Sequence[Fit], now: Array, columns: Array, shape: tuple[int, ...
         joint, j = fit.joint, fit.joint.number - 1
         own = _columns(fit)
         P, left = columns[joint.rows, j], joint.y - now[joint.rows, j]
-        Q = np.linalg.qr(own)[0] if own.shape[1] else np.zeros((len(left), 0))
-        P, left = P - Q @ (Q.T @ P), left - Q @ (Q.T @ left)
+        Q = basis(own)
+        P, left = project_out(P, Q), project_out(left, Q)
         weight = 1.0 / (np.mean(left**2) * fit.together)
         G += weight * P.T @ P
         g += weight * P.T @ left

@@ -19,6 +19,7 @@ from deltacal_gen.identification.identifiability import (
     column_convention,
     observability,
 )
+from deltacal_gen.inference.projection import basis, project_out
 from deltacal_gen.instrument.kind import TURN_MM, Instrument, Kind, Readings
 from deltacal_gen.instrument.kinds import MOUNTED, POINTS, kind_of
 from deltacal_gen.instrument.kinds import names as kind_names
@@ -372,7 +373,7 @@ def _mounted(robot: Robot, poses: Poses, names: Sequence[str], kind: Kind, moved
     J, J_m = instrument.linearise(found, poses.x, moved)
     instrument.add_carried(J, mechanism, names, found, poses.x)
     J, J_m = np.diff(J[:, 0], axis=0), np.diff(J_m[:, 0], axis=0)
-    return without(J, J_m) if others else J
+    return project_out(J, basis(J_m)) if others else J
 
 
 def _as_mounted(robot: Robot, kind: Kind) -> Robot:
@@ -386,7 +387,7 @@ def read_of(mechanism: Machine, kind: Kind, poses: Poses, moved: Array, said: Me
     found, instrument = kind.imagined(poses.x, poses.points, mechanism, said or Measurement())
     J, J_m = linearise(found, instrument, poses.x, moved)
     J = J.reshape(-1, moved.shape[2])
-    return without(J, J_m.reshape(len(J), -1)) if instrument.n_unknown else J
+    return project_out(J, basis(J_m.reshape(len(J), -1))) if instrument.n_unknown else J
 
 
 def linearise(found: Readings, instrument: Instrument, x: Array, moved: Array) -> tuple[Array, Array]:
@@ -395,12 +396,6 @@ def linearise(found: Readings, instrument: Instrument, x: Array, moved: Array) -
     for derivatives in (J, J_m):
         derivatives[:, list(found.kind.turned)] *= TURN_MM
     return J, J_m
-
-
-def without(J: Array, nuisance: Array) -> Array:
-    """Return columns (rows, n) with what nuisance columns could explain projected out."""
-    Q = np.linalg.qr(nuisance)[0]
-    return J - Q @ (Q.T @ J)
 
 
 def sensitivity(robot: Robot, poses: Poses, names: Sequence[str]) -> Array:
