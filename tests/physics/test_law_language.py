@@ -179,5 +179,15 @@ def test_what_lags_follows_exactly_and_begins_anew_in_every_run() -> None:
     assert after[1] == pytest.approx(np.exp(-3 / 7))
 
 
+def test_a_wave_beside_what_lags_goes_on_straight() -> None:
+    """States, and after them what is lagged, beyond the ends of two states."""
+    found = load_law("law joint = c1*Lag(torque, c2)*sin(q/c3)")
+    constants = (300.0, 2.0, -10.0, 10.0, -1.0, 1.0)  # torque from -10 to 10, q from -1 to 1: no whole period
+    s = np.column_stack([np.linspace(-12.0, 12.0, 14), np.full(14, 1.2), np.linspace(-3.0, 3.0, 14)])
+    straight = s[:, 2] * (np.sin(0.5) + 0.2 * np.cos(0.5) / 2)
+    np.testing.assert_allclose(found.value(s, np.ones((14, 1)), constants)[:, 0], straight, rtol=2e-3)
+    assert found.jacobian(s, np.ones((14, 1)), constants).shape == (14, 1, 1)
+
+
 def test_formulas_and_effects_are_made_of_the_same_functions() -> None:
     assert {*FUNCTIONS, "Piecewise"} == {"sqrt", *(f.__name__ for f in vocabulary.FUNCTIONS)}

@@ -181,15 +181,15 @@ class Law:
         """Return states, within their ends, and constants by name; what is lagged by its text."""
         values = dict(zip(self.inner, map(float, constants), strict=False))
         known: dict[str, Array | float] = {**values}
-        known |= zip(self.STATE, self.held(s[:, : len(self.STATE)], constants).T, strict=True)
+        known |= zip(self.STATE, self.held(s, constants).T, strict=True)
         texts = [f"Lag({state}, {tau})" for state, tau in self.lags]
         return known | dict(zip(texts, s[:, len(self.STATE) :].T, strict=True))
 
     def held(self, s: Array, constants: Sequence[float | str]) -> Array:
-        """Return states (M, n_s) as the law takes them: no farther beyond where it was found than it goes on."""
+        """Return states (M, n_s) as the law takes them, no farther beyond where it was found than it goes on."""
         low, high = self.ends(constants).T
         beyond = np.where(self._recurs(constants), np.inf, BEYOND * (high - low))
-        return np.clip(s, low - beyond, high + beyond)
+        return np.clip(s[:, : len(self.STATE)], low - beyond, high + beyond)
 
     def _box(self, s: Array, constants: Sequence[float | str]) -> Array:
         """Return the ends (n_s + m, 2) that count: none of what recurs, those of its state of what is lagged."""
