@@ -65,10 +65,14 @@ def unforeseen(found: Fit) -> bool:
         A, b = _rows(found, State(at, problem.begin(at, machine), machine)).machine
     except InputError:
         return False  # no machine stands there
-    off = found.departure - np.linalg.solve(A.T @ A + np.eye(A.shape[1]), A.T @ b)
+    n, solution = A.shape[1], found.solution
+    # by rows, not by their squares: readings without noise leave these nothing of the prior
+    foreseen = np.linalg.lstsq(np.vstack([A, np.eye(n)]), np.append(b, np.zeros(n)), rcond=None)[0]
+    off = found.departure - foreseen
     if np.linalg.norm(off) < FORESEEN * np.linalg.norm(found.departure):
         return False
-    return bool(off @ np.linalg.solve(found.solution.covariance, off) > SURE)
+    seen = solution.singular_values * (solution.V.T @ off)
+    return bool(seen @ seen + off @ off > SURE)
 
 
 def _most_down(beside: _Beside, unseen: Array, v: Array) -> Array | None:
