@@ -31,7 +31,7 @@ from deltacal_gen.physics.parts import lacks
 from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.physics.terms import Term, blank
 from deltacal_gen.planning import matrix, optimal
-from deltacal_gen.planning.reach import reach, readable
+from deltacal_gen.planning.reach import reach, readable_targets
 from deltacal_gen.planning.targets import candidates_of
 from deltacal_gen.use import commanded
 from deltacal_gen.use.compensation import Compensator, CompensatorKind
@@ -208,7 +208,7 @@ def test_what_is_chosen_is_what_was_looked_at() -> None:
     """A turn goes by the place in the row of candidates: those that are chosen keep theirs."""
     r, rng = robot(None), np.random.default_rng(5)
     found = optimal.d_optimal(r, "48", 20)
-    candidates = turned(r, np.unique(readable(r, candidates_of(r)), axis=0))
+    candidates = turned(r, np.unique(readable_targets(r, candidates_of(r)), axis=0))
     rows = {tuple(np.round(t, 9)) for t in candidates}
     _, x, _ = MACHINE.inverse(np.hstack([found.poses.targets, found.poses.x[:, 3:]]), r.tool, MACHINE.rows(r))
     assert all(tuple(np.round(t, 9)) in rows for t in x)

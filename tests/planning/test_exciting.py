@@ -108,7 +108,7 @@ def test_it_tells_more_than_movements_at_random(planned: tuple[Robot, Any, tuple
 
     def told(movement: Series) -> tuple[float, float]:
         W = search.columns(movement)
-        return search.told(W.T @ W)
+        return search.judge(W.T @ W)
 
     others = np.array([told(search.drawn()) for _ in range(40)])
     condition, determinant = told(series[0])

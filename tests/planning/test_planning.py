@@ -267,7 +267,7 @@ def test_d_optimal_set_beats_the_rings(robot: Robot, model: str, n: int) -> None
     assert ours > theirs + 2
     assert best.prediction is not None
     assert ring.prediction is not None
-    assert best.prediction.largest < 0.75 * ring.prediction.largest
+    assert best.prediction.tool_max_mm < 0.75 * ring.prediction.tool_max_mm
 
 
 def test_too_few_positions_and_candidates(robot: Robot) -> None:
@@ -291,7 +291,9 @@ def test_predicted_deviation_is_that_of_noisy_positions(robot: Robot) -> None:
     noise = sigma * np.random.default_rng(5).standard_normal((4000, *P.shape))
     read = np.einsum("kc,skc->sk", n, noise[:, j] - noise[:, i])
     fitted = read @ np.linalg.pinv(design(robot, P, found.tools, found.names)).T
-    np.testing.assert_allclose(list(found.prediction.parameters.values()), fitted.std(axis=0), rtol=0.06)
+    predicted = [p.std * {"mm": 1.0, "deg": DEG}[p.unit] for p in found.prediction.parameters]
+    assert [p.name for p in found.prediction.parameters] == list(found.names)
+    np.testing.assert_allclose(predicted, fitted.std(axis=0), rtol=0.06)
 
 
 def test_predicted_tool_deviation_is_the_same_in_every_gauge(robot: Robot) -> None:
@@ -301,7 +303,7 @@ def test_predicted_tool_deviation_is_the_same_in_every_gauge(robot: Robot) -> No
         task = matrix.Task(robot, "", "distance", "paper", "spectral", names, (), targets.reference_points(robot, 2))
         prediction = optimal.predict(task, poses, 0.005)
         assert prediction is not None
-        found.append((prediction.mean, prediction.largest))
+        found.append((prediction.tool_mean_mm, prediction.tool_max_mm))
     assert found[0] == pytest.approx(found[1], rel=1e-6)
 
 

@@ -10,7 +10,6 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable, Iterator, Mapping
 from functools import partial
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -29,8 +28,9 @@ from deltacal_gen.identification.accuracy import (
 )
 from deltacal_gen.identification.identifiability import identification_matrix
 from deltacal_gen.machine.registry import Array, load_mechanism
-from deltacal_gen.machine.values import Measurement, Recording
+from deltacal_gen.machine.values import POSITION, Measurement, Recording
 from deltacal_gen.physics.simulation import read_truth, simulate
+from deltacal_gen.planning.rows import blank_recording
 from deltacal_gen.use.compensation import Compensator
 from derive.review.reproduction.sheet import Part, Picture, Sheet
 from derive.review.sources import EXAMPLES
@@ -76,23 +76,9 @@ def measured(
 ) -> Recording:
     """Return what the tracker reads of every target with every reference point."""
     at, tool = np.tile(targets, (len(tools), 1)), np.repeat(tools, len(targets), axis=0)
-    n = len(at)
     joints, _, _ = DELTA.inverse(at, robot.tool, DELTA.rows(robot))
-    poses = Recording(
-        path=Path("bai2015.csv"),
-        kind="position",
-        measurement=Measurement(frame="unknown"),
-        joint_unit="rad",
-        joints=joints,
-        columns=("x_mm", "y_mm", "z_mm"),
-        measured=np.full((n, 3), np.nan),
-        pose=np.arange(n).astype(str),
-        line=np.arange(n) + 2,
-        channels={},
-        setup=np.zeros(n, dtype=int),
-        setup_names=("1",),
-        tool=tool,
-    )
+    said = Measurement(frame="unknown")
+    poses = blank_recording(robot, "position", joints, POSITION, said, "bai2015.csv", tool=tool)
     return simulate(robot, poses, truth, noise_mm=SIGMA / np.sqrt(3), rng=rng)
 
 

@@ -10,7 +10,6 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable, Iterator
 from functools import partial
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -21,8 +20,9 @@ from deltacal_gen.estimation.solvers import LeastSquares
 from deltacal_gen.files.robot import Robot, read_robot
 from deltacal_gen.identification.identifiability import identification_matrix, observability
 from deltacal_gen.machine.registry import SOLVED, Array, load_mechanism
-from deltacal_gen.machine.values import Measurement, Recording
+from deltacal_gen.machine.values import POSITION, Measurement, Recording
 from deltacal_gen.physics.simulation import read_truth, simulate
+from deltacal_gen.planning.rows import blank_recording
 from deltacal_gen.units import DEG
 from deltacal_gen.use import iso9283
 from derive.review.reproduction.sheet import Part, Picture, Sheet
@@ -69,23 +69,9 @@ def recording_of(robot: Robot, P: Array, truth: dict[str, float], rng: np.random
     P = np.vstack([robot.geometry["home"], P])
     joints, _, _ = TENNIS.inverse(P, np.zeros_like(P), rows(robot))
     joints[0] = 0.0
-    n = len(P)
-    poses = Recording(
-        path=Path("traslosheros2013.csv"),
-        kind="position",
-        measurement=Measurement(frame="robot", zero="incremental"),
-        joint_unit="rad",
-        joints=joints,
-        columns=("x_mm", "y_mm", "z_mm"),
-        measured=np.full((n, 3), np.nan),
-        pose=np.arange(n).astype(str),
-        line=np.arange(n) + 2,
-        channels={},
-        setup=np.zeros(n, dtype=int),
-        setup_names=("1",),
-    )
-    exact = simulate(robot, poses, truth)
-    return dataclasses.replace(exact, measured=exact.measured + TABLE_3 * rng.standard_normal((n, 3)))
+    said = Measurement(frame="robot", zero="incremental")
+    exact = simulate(robot, blank_recording(robot, "position", joints, POSITION, said, "traslosheros2013.csv"), truth)
+    return dataclasses.replace(exact, measured=exact.measured + TABLE_3 * rng.standard_normal((len(P), 3)))
 
 
 def calibrated(robot: Robot, truth: dict[str, float], P: Array, rng: np.random.Generator) -> tuple[Array, Array]:

@@ -4,37 +4,35 @@ from __future__ import annotations
 
 import dataclasses
 import math
+from collections import Counter
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
+from scipy.stats import binomtest
 
 from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.execution import Outcome
-from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.channels import Channels
 from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.planning.machines import Linear, Study, Trial, rms_of, rows_of
+from deltacal_gen.planning.rows import blank_recording
 from deltacal_gen.results.parts import EffectName, Missing
 from deltacal_gen.results.study import Addition, Advice, Suspect, Times
 
 NEARBY = 100.0  # mm: the second reference point from the first
 TIMES = (0.5, 1.0, 2.0, 4.0, 8.0)  # the plan's readings
 WORTH = 0.1  # of the error: what twice the measuring must take away to be worth it
-SURE = 1.96  # standard deviations of an interval that holds 95 %
+SURE = math.erf(1.96 / math.sqrt(2))  # of an interval: 95 %, the quantile rounded as everybody has it
 
 
 def advice(study: Study) -> Advice:
     """Return what more of the same, another pose or a second reference point would leave by the linear problem."""
     now = rms_of(study, study.linear)
     enough = tuple(Times(times=t, rms_mm=rms_of(study, study.linear.times(t))) for t in TIMES)
-    gains = []
-    for words, more in _ideas(study):
-        left = rms_of(study, more)
-        gains.append(Addition(add=words, rms_mm=left, gain=_gain(left, now)))
+    left = sorted(((words, rms_of(study, more)) for words, more in _ideas(study)), key=lambda idea: idea[1])
+    add = tuple(Addition(add=words, rms_mm=rms, gain=_gain(rms, now)) for words, rms in left)
     doubling = _gain(enough[2].rms_mm, now)
-    add = tuple(sorted(gains, key=lambda g: g.rms_mm))
     return Advice(rms_mm=now, enough=enough, doubling=doubling, worth=bool(doubling > WORTH), add=add)
 
 
@@ -53,12 +51,10 @@ def _ideas(study: Study) -> list[tuple[str, Linear]]:
         ideas.append((words, linear.and_more(*rows_of(study, moved))))
     if problem.readings.kind.more_poses and study.robot.workspace is not None:
         q, x = study.check
-        one = dataclasses.replace(
-            problem.recording,
-            joints=problem.robot.joint_sign * q,
-            targets=None,
-            **_rows(problem.recording, len(q)),
-        )
+        plan = problem.recording
+        tool = None if plan.tool is None else np.tile(plan.tool[0], (len(q), 1))
+        joints = problem.robot.joint_sign * q
+        one = blank_recording(problem.robot, plan.kind, joints, plan.columns, plan.measurement, plan.path, tool=tool)
         extra = pose_problem(problem.robot, simulate(problem.robot, one), study.names)
         J, whole = (
             rows.reshape(len(q), -1, rows.shape[1])
@@ -73,31 +69,12 @@ def _ideas(study: Study) -> list[tuple[str, Linear]]:
     return ideas
 
 
-def _rows(recording: Recording, n: int) -> dict[str, Any]:
-    """Return the fields of a recording of n fresh poses of the same kind, in the first set-up."""
-    return {
-        "measured": np.full((n, recording.measured.shape[1]), np.nan),
-        "pose": np.arange(1, n + 1).astype(str),
-        "line": np.arange(2, n + 2),
-        "setup": np.zeros(n, dtype=int),
-        "tool": None if recording.tool is None else np.tile(recording.tool[0], (n, 1)),
-        "channels": {},
-        "pairs": None,
-        "pair_measured": None,
-        "pair_line": None,
-    }
-
-
 def channels_wanted(study: Study) -> tuple[Missing, ...]:
     """Return what the plan does not record and a suspected effect needs."""
     p = study.problem
     body = Body(study.robot, p.mechanism, p.body.q, p.body.tool, Channels.of(study.poses, study.robot))
-    wanted = []
-    for terms in study.suspects:
-        for term in terms:
-            if (why := body.missing(term)) is not None:
-                wanted.append(Missing(name=term.effect, missing=why))
-    return tuple(wanted)
+    lacking = ((term.effect, body.missing(term)) for terms in study.suspects for term in terms)
+    return tuple(Missing(name=name, missing=why) for name, why in lacking if why is not None)
 
 
 def told_of(suspects: Sequence[tuple[EffectName, ...]], outcomes: Sequence[Outcome], each: int) -> tuple[Suspect, ...]:
@@ -109,12 +86,8 @@ def told_of(suspects: Sequence[tuple[EffectName, ...]], outcomes: Sequence[Outco
         mine = outcomes[k * each : (k + 1) * each]
         good = [Trial(**o.result) for o in mine if o.result is not None]
         right = sum(r.right for r in good)
-        others: dict[str, int] = {}
-        for r in good:
-            if not r.right:
-                words = ", ".join(f"{n} {limbs}" for n, limbs in r.named) or r.verdict
-                others[words] = others.get(words, 0) + 1
-        low, high = _wilson(right, len(good))
+        wrong = [r for r in good if not r.right]
+        others = Counter(", ".join(f"{n} {limbs}" for n, limbs in r.named) or r.verdict for r in wrong)
         told.append(
             Suspect(
                 effects=effects,
@@ -122,11 +95,11 @@ def told_of(suspects: Sequence[tuple[EffectName, ...]], outcomes: Sequence[Outco
                 named_right=right,
                 named_among_equals=sum(r.among for r in good),
                 chance=right / len(good) if good else None,
-                interval=(low, high),
-                instead=others,
+                interval=_wilson(right, len(good)),
+                instead=dict(others),
                 before_mm=_median([r.before_mm for r in good]),
                 after_mm=_median([r.after_mm for r in good]),
-                next=tuple(sorted({t for r in good if not r.right for t in r.next})[:3]),
+                next=tuple(sorted({t for r in wrong for t in r.next})[:3]),
                 failed=tuple(sorted({o.error for o in mine if o.error is not None})),
             )
         )
@@ -143,6 +116,5 @@ def _wilson(right: int, of: int) -> tuple[float, float]:
     """Return the 95 % interval of a chance that came true `right` times of so many."""
     if of == 0:
         return 0.0, 1.0
-    p, z = right / of, SURE**2 / of
-    middle, half = (p + z / 2) / (1 + z), math.sqrt(p * (1 - p) * z + z**2 / 4) / (1 + z)
-    return max(middle - half, 0.0), min(middle + half, 1.0)
+    found = binomtest(right, of).proportion_ci(SURE, method="wilson")
+    return float(found.low), float(found.high)

@@ -17,6 +17,7 @@ from deltacal_gen.files.robot import Robot, robot_size
 from deltacal_gen.identification.accuracy import RECURRENCE, joint_spread, workspace_of
 from deltacal_gen.instrument.board import nice
 from deltacal_gen.machine.registry import SOLVED, Array, mechanism_of
+from deltacal_gen.planning.reach import within_limits
 
 PLACES, SPREAD = 12, 400  # of a board that are looked at; joints that set out to it
 FEWEST = 40  # that must arrive
@@ -125,10 +126,7 @@ def aimed(robot: Robot, joints: Array, off: Callable[[Array, np.ndarray], Array]
         step *= np.minimum(1.0, LONGEST / np.maximum(np.abs(step).max(axis=1, keepdims=True), 1e-300))
         q = q + step * unit
     there = np.abs(off(_stand(robot, q), rows)).max(axis=1) < ARRIVED
-    if robot.joint_limits is not None:
-        low, high = robot.joint_limits.T
-        there &= ((q >= low) & (q <= high)).all(axis=1)
-    return q[there]
+    return q[there & within_limits(robot, q)]
 
 
 def _stand(robot: Robot, q: Array) -> Array:

@@ -24,9 +24,8 @@ from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.machine.values import POSITION, Measurement, Recording
 from deltacal_gen.planning.matrix import generic
-from deltacal_gen.planning.reach import READABLE
+from deltacal_gen.planning.rows import blank_recording, joints_in_files, readable
 from deltacal_gen.results.plan import CyclePlan, Visit
-from deltacal_gen.units import file_unit, joint_factors, to_file
 
 POSITIONS, PER_METRE, CYCLES = 11, 5, 5  # of one axis, at least; ISO 230-2:2014, section 4.3.2
 PLACES = 30  # of several joints
@@ -69,26 +68,14 @@ class BothSides:
 
     def recording(self, path: str | Path = "poses.csv") -> Recording:
         """Return the rows as a recording in which nothing was read yet."""
-        mechanism, count = mechanism_of(self.robot), len(self.joints)
+        mechanism = mechanism_of(self.robot)
         columns = kind_of(self.kind).columns(mechanism)
         if len(mechanism.joint_units) == 1 and mechanism.joint_unit == "mm" and not kind_of(self.kind).sees_joints:
             columns = (self._along(),)
         channels = {} if self.cycle is None else {"cycle": self.cycle.astype(float)}
         channels |= {f"approach{j + 1}": side.astype(float) for j, side in enumerate(self.approach.T)}
-        return Recording(
-            path=Path(path),
-            kind=self.kind,
-            measurement=Measurement(kind=self.kind),
-            joint_unit=mechanism.joint_unit,
-            joints=self.joints,
-            columns=columns,
-            measured=np.full((count, len(columns)), np.nan),
-            pose=np.arange(1, count + 1).astype(str),
-            line=np.arange(2, count + 2),
-            channels=channels,
-            setup=np.zeros(count, dtype=int),
-            setup_names=("1",),
-        )
+        said = Measurement(kind=self.kind)
+        return blank_recording(self.robot, self.kind, self.joints, columns, said, path, channels=channels)
 
     def _along(self) -> str:
         """Return the coordinate along which the axis moves most, which alone is read."""
@@ -99,8 +86,6 @@ class BothSides:
 
     def answer(self) -> CyclePlan:
         """Return the same as users read it."""
-        units = mechanism_of(self.robot).joint_units
-        at = f"joints_{file_unit(units[0])}" if len(set(units)) == 1 else "joints"
         cycles = [None] * len(self.joints) if self.cycle is None else self.cycle.tolist()
         return CyclePlan(
             robot=self.robot.name,
@@ -110,8 +95,10 @@ class BothSides:
             cycles=None if self.cycle is None else int(self.cycle.max()),
             conventions=self.words,
             poses=tuple(
-                Visit(approach=tuple(side), cycle=cycle, **{at: tuple(map(to_file, q, units))})
-                for q, side, cycle in zip(self.joints.tolist(), self.approach.tolist(), cycles, strict=True)
+                Visit(approach=tuple(side), cycle=cycle, **joints)
+                for joints, side, cycle in zip(
+                    joints_in_files(self.robot, self.joints), self.approach.tolist(), cycles, strict=True
+                )
             ),
         )
 
@@ -132,7 +119,7 @@ def both_sides(robot: Robot, kind: str, positions: int | None = None, cycles: in
         return _cycles(robot, kind, positions, cycles or CYCLES)
     if cycles is not None:
         raise UsageError("cycles are of one axis; give --positions for several joints.")
-    joints = _readable(robot, _spread(robot, positions or PLACES))
+    joints = readable(_spread(robot, positions or PLACES), mechanism_of(robot).joint_units)
     k = np.arange(1, len(joints) + 1)[:, None]
     sides = np.where((k * np.sqrt(np.arange(2, joints.shape[1] + 2)) * GOLDEN) % 1 < 0.5, 1, -1)
     approach = np.stack([sides, -sides], axis=1).reshape(-1, joints.shape[1])
@@ -144,7 +131,7 @@ def _cycles(robot: Robot, kind: str, positions: int | None, cycles: int) -> Both
     count = positions or max(POSITIONS, math.ceil(PER_METRE * (high - low) / 1000) if unit == "mm" else 0)
     room, k = ROOM * (high - low), np.arange(count)
     part = (k + UNEVEN * ((k * GOLDEN) % 1)) / (count - 1 + UNEVEN)
-    forth = _readable(robot, (low + room + (high - low - 2 * room) * part)[:, None])
+    forth = readable((low + room + (high - low - 2 * room) * part)[:, None], mechanism_of(robot).joint_units)
     joints = np.tile(np.vstack([forth, forth[::-1]]), (cycles, 1))
     approach = np.tile(np.repeat([[1], [-1]], count, axis=0), (cycles, 1))
     return BothSides(robot, kind, joints, approach, np.repeat(np.arange(1, cycles + 1), 2 * count), count)
@@ -172,15 +159,6 @@ def _limits(robot: Robot) -> Array:
             file=robot.source,
         )
     return robot.joint_limits
-
-
-def _readable(robot: Robot, joints: Array) -> Array:
-    """Return joints (N, n_q) as people write them."""
-    mechanism = mechanism_of(robot)
-    factors = np.array(joint_factors(mechanism.joint_unit, mechanism.limbs))
-    digits = [READABLE[unit] for unit in mechanism.joint_units]
-    columns = [np.round(q / f, d) * f for q, f, d in zip(joints.T, factors, digits, strict=True)]
-    return np.column_stack(columns)
 
 
 def write_rows(found: BothSides, path: str | Path) -> None:

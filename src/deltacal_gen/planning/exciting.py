@@ -20,7 +20,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -28,19 +28,17 @@ from deltacal_gen.errors import NoSolutionError, UsageError
 from deltacal_gen.files.columns import Columns
 from deltacal_gen.files.toml import toml_text
 from deltacal_gen.files.writing import csv_text, write_files
-from deltacal_gen.identification.identifiability import observability
+from deltacal_gen.identification.identifiability import Observability, observability
 from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.machine.registry import Array, Machine, mechanism_of
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.limits import PATTERNS, home_of, limits_of
 from deltacal_gen.motion.rigid import Rigid
+from deltacal_gen.planning.matrix import finite, indices_of
 from deltacal_gen.results.reader import TORQUE
 from deltacal_gen.results.trajectories import JointSeries, MotionPlan
 from deltacal_gen.states import TIME
-from deltacal_gen.units import file_unit, joint_factors, joint_names, of_joints
-
-if TYPE_CHECKING:
-    from deltacal_gen.machine.registry import Array
+from deltacal_gen.units import file_unit, joint_factors, joint_names, to_internal
 
 STARTS, STEPS = 60, 240  # series that are drawn, and changes that are tried of the best
 CHANGE = 0.5  # of a coefficient, at first; at last a tenth of it
@@ -189,7 +187,7 @@ class Excitation:
             rows.append(np.hstack([Y * weight, friction]))
         return np.concatenate(rows)
 
-    def told(self, information: Array) -> tuple[float, float]:
+    def judge(self, information: Array) -> tuple[float, float]:
         """Return condition number, columns of one size, and logarithm of the determinant, of an information matrix."""
         size = np.sqrt(np.diag(information))
         if not (size > 0).all():
@@ -204,7 +202,7 @@ class Excitation:
 
         def judged(series: Series) -> tuple[float, float]:
             W = self.columns(series)
-            return self.told(known + W.T @ W)
+            return self.judge(known + W.T @ W)
 
         found = min((self.drawn() for _ in range(STARTS)), key=lambda series: judged(series)[0])
         condition, determinant = judged(found)
@@ -218,8 +216,8 @@ class Excitation:
 
 def _in_files(chosen: Sequence[Series], mechanism: Machine) -> tuple[JointSeries, ...]:
     """Return series, joint by joint, in the units of files."""
-    factors = np.array(joint_factors(mechanism.joint_unit, mechanism.limbs))
-    units = of_joints(mechanism.joint_unit, mechanism.limbs)
+    units = mechanism.joint_units
+    factors = [to_internal(unit) for unit in units]
     return tuple(
         JointSeries(
             run=k + 1,
@@ -269,17 +267,14 @@ def exciting(
     known = np.zeros((len(names), len(names)))
     chosen: list[Series] = []
     blocks: list[Array] = []
-    indices: list[Mapping[str, float]] = []
-    conditions: list[float | None] = []
+    found: list[Observability] = []
     for _ in range(runs):
         with using(Backend.COMPILED):  # thousands of calls, which few poses alone would not be worth
             chosen.append(search.best(known))
         blocks.append(search.columns(chosen[-1]))
         known = known + blocks[-1].T @ blocks[-1]
         W = np.concatenate(blocks)
-        found = observability(W / np.linalg.norm(W, axis=0), len(W))
-        conditions.append(found.condition if math.isfinite(found.condition) else None)
-        indices.append(found.indices)
+        found.append(observability(W / np.linalg.norm(W, axis=0), len(W)))
     answer = MotionPlan(
         robot=robot.name,
         mechanism=robot.mechanism,
@@ -293,13 +288,9 @@ def exciting(
         rate_Hz=rate,
         n=tuple(range(1, runs + 1)),
         readings=tuple(k * len(blocks[0]) for k in range(1, runs + 1)),
-        condition=tuple(conditions),
-        log_determinant=search.told(known)[1],
-        O1=tuple(i["O1"] for i in indices),
-        O2=tuple(i["O2"] for i in indices),
-        O3=tuple(i["O3"] for i in indices),
-        O4=tuple(i["O4"] for i in indices),
-        O5=tuple(i["O5"] for i in indices),
+        condition=tuple(finite(step.condition) for step in found),
+        log_determinant=search.judge(known)[1],
+        **indices_of([step.indices for step in found]),
         chosen=runs,
         series=_in_files(chosen, search._mechanism),
         notes=tuple(search.notes),

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
 
@@ -60,13 +60,6 @@ class Study:
     suspects: tuple[tuple[Term, ...], ...] = ()
     seed: int = 0
     chunk: ClassVar[int] = 500
-
-    def __getstate__(self) -> dict[str, Any]:
-        """Return the fields alone: a worker works out the rest itself."""
-        return {f.name: getattr(self, f.name) for f in dataclasses.fields(self)}
-
-    def __setstate__(self, state: Mapping[str, Any]) -> None:
-        self.__dict__.update(state)
 
     @cached_property
     def problem(self) -> Problem:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -27,10 +28,11 @@ from deltacal_gen.machine.registry import Array, Machine, mechanism_of
 from deltacal_gen.machine.rotation import about_z
 from deltacal_gen.machine.values import Measurement
 from deltacal_gen.planning.reach import Poses, middle, place_of, reach, reached_of
+from deltacal_gen.planning.rows import joints_in_files
 from deltacal_gen.planning.targets import candidates_of, radius, spread_of, width
 from deltacal_gen.results import plan as results
-from deltacal_gen.results.plan import Deviation, Expected, Method, PlannedPose
-from deltacal_gen.units import file_unit, to_file
+from deltacal_gen.results.plan import Expected, Method, PlannedPose
+from deltacal_gen.units import to_file
 
 KINDS = {name: words for name in kind_names() if (words := kind_of(name).planned)}  # of what poses are planned for
 NORMS = {
@@ -80,38 +82,6 @@ class Step:
     change: float
     indices: dict[str, float]
     corrected: float | None = None
-
-
-@dataclass(frozen=True)
-class Prediction:
-    """Standard deviations that noise of `sigma` per coordinate will leave, by unweighted least squares.
-
-    Attributes
-    ----------
-    parameters : dict of float
-        [mm, rad].
-    mean, largest : float
-        Of the tool position over the workspace: root of the summed variances of its coordinates, up to a motion of
-        the frame, which neither distances nor positions in an unknown frame tell [mm].
-    """
-
-    sigma: float
-    parameters: dict[str, float]
-    mean: float
-    largest: float
-
-    def answer(self, mechanism: Machine) -> Expected:
-        """Return the same as users read it, in mm and deg."""
-        units = {p.name: p.unit for p in mechanism.parameters}
-        return Expected(
-            sigma_mm=self.sigma,
-            parameters=tuple(
-                Deviation(name=name, std=to_file(std, units[name]), unit=file_unit(units[name]))
-                for name, std in self.parameters.items()
-            ),
-            tool_mean_mm=self.mean,
-            tool_max_mm=self.largest,
-        )
 
 
 @dataclass(frozen=True)
@@ -184,68 +154,57 @@ class Plan(Task):
         The smallest n from which on all changes are within the threshold, up to the last n.
     poses : Poses
         Of the chosen n, or of the last one where none was chosen.
-    prediction : Prediction or None
+    prediction : Expected or None
         For the noise that was given.
     notes : tuple of str
         What became of poses where the machine may not stand.
     """
 
     method: Method
-    layers: tuple[float, ...]
-    start_angle: float
-    threshold: float
     steps: tuple[Step, ...]
     chosen: int | None
-    settled: int | None
     poses: Poses
-    prediction: Prediction | None
+    layers: tuple[float, ...] = ()
+    start_angle: float = 0.0
+    threshold: float = 0.0
+    settled: int | None = None
+    prediction: Expected | None = None
     notes: tuple[str, ...] = ()
 
     @property
     def conventions(self) -> str:
         """What the figures depend on, in words."""
-        if self.method == "edges":
-            lowest = "lowest" if len(self.layers) > 1 else "chosen"
-            rule = (
-                "|k - corrected| / k, with the gauge's errors of the robot file,"
-                if self.mount
-                else "|k(n) - k(n-1)| / k(n)"
-            )
-            along = (
-                f"each of {len(self.layers)} levels of the workspace, all in the same direction, from the highest to "
-                f"the {lowest}"
-                if mechanism_of(self.robot).limbs > 1
-                else "the stroke"
-            )
-            poses = (
-                f"n evenly spaced poses along {along}; chosen is the smallest n >= {FEWEST} at which every parameter "
-                f"shows and {rule} <= {self.threshold:g}."
-            )
-        elif self.method == "rings":
-            heights = " and ".join(f"{part:.0%}" for part in self.layers)
-            poses = (
-                f"Home at the centre of the cylinder and n evenly spaced poses on the rim at {heights} of the height "
-                f"below its top, the first at {math.degrees(self.start_angle):g} deg about z; chosen is the smallest "
-                f"n >= {FEWEST} with |k(n) - k(n-1)| / k(n) <= {self.threshold:g}, settled the smallest n from which "
-                "on that holds."
-            )
-        elif self.method == "singular":
-            poses = (
-                "n positions drawn at random of those whose nearest singularity is as far as was asked for; chosen is "
-                f"the smallest n with |k(n) - k(n-1)| / k(n) <= {self.threshold:g}."
-            )
-        elif self.method == "joints":
-            from_where = spread_of(self.robot, kind_of(self.kind), self.said)
-            poses = (
-                f"{from_where[0].upper()}{from_where[1:]}; {self.steps[0].n} of them for the largest determinant of "
-                "the information on the model, the frame eliminated, then one by one what adds most; chosen is the "
-                f"smallest n with |k(n) - k(n-1)| / k(n) <= {self.threshold:g}. Collisions are not looked for."
-            )
-        else:
-            poses = (
-                f"{self.chosen} candidates, chosen for the largest determinant of the information that their positions "
-                "hold on the model, the frame eliminated."
-            )
+        within = f"|k(n) - k(n-1)| / k(n) <= {self.threshold:g}"
+        match self.method:
+            case "edges":
+                lowest = "lowest" if len(self.layers) > 1 else "chosen"
+                along = f"each of {len(self.layers)} levels of the workspace, all in the same direction, from the "
+                along = f"{along}highest to the {lowest}" if mechanism_of(self.robot).limbs > 1 else "the stroke"
+                if self.mount:
+                    errors = "the gauge's errors of the robot file"
+                    within = f"|k - corrected| / k, with {errors}, <= {self.threshold:g}"
+                poses = f"n evenly spaced poses along {along}; chosen is the smallest n >= {FEWEST} at which every "
+                poses += f"parameter shows and {within}."
+            case "rings":
+                heights = " and ".join(f"{part:.0%}" for part in self.layers)
+                poses = (
+                    f"Home at the centre of the cylinder and n evenly spaced poses on the rim at {heights} of the "
+                    f"height below its top, the first at {math.degrees(self.start_angle):g} deg about z; chosen is the "
+                    f"smallest n >= {FEWEST} with {within}, settled the smallest n from which on that holds."
+                )
+            case "singular":
+                poses = "n positions drawn at random of those whose nearest singularity is as far as was asked for; "
+                poses += f"chosen is the smallest n with {within}."
+            case "joints":
+                drawn = spread_of(self.robot, kind_of(self.kind), self.said)
+                poses = (
+                    f"{drawn[0].upper()}{drawn[1:]}; {self.steps[0].n} of them for the largest determinant of the "
+                    "information on the model, the frame eliminated, then one by one what adds most; chosen is the "
+                    f"smallest n with {within}. Collisions are not looked for."
+                )
+            case _:
+                poses = f"{self.chosen} candidates, chosen for the largest determinant of the information that their "
+                poses += "positions hold on the model, the frame eliminated."
         points = "; ".join(f"({x:g}, {y:g}, {z:g}) mm" for x, y, z in self.tools)
         left_out = f" Left out, as no poses tell them from the others: {', '.join(self.dropped)}." * bool(self.dropped)
         return (
@@ -255,19 +214,11 @@ class Plan(Task):
 
     def answer(self) -> results.Plan:
         """Return the same as users read it, in mm and deg; null stands for what is infinite or not there."""
-        mechanism = mechanism_of(self.robot)
-        units, steps = mechanism.joint_units, self.steps
-        joints = [
-            tuple(to_file(q, unit) for q, unit in zip(row, units, strict=True)) for row in self.poses.joints.tolist()
-        ]
-        at = f"joints_{file_unit(units[0])}" if len(set(units)) == 1 else "joints"
-
-        def index(name: str) -> tuple[float, ...]:
-            return tuple(step.indices[name] for step in steps)
-
+        steps, poses = self.steps, self.poses
+        rows = zip(poses.targets.tolist(), poses.tool.tolist(), joints_in_files(self.robot, poses.joints), strict=True)
         return results.Plan(
             robot=self.robot.name,
-            mechanism=mechanism.name,
+            mechanism=self.robot.mechanism,
             model=self.model,
             parameters=self.names,
             dropped=self.dropped,
@@ -284,21 +235,16 @@ class Plan(Task):
             pose_count=tuple(step.poses for step in steps),
             readings=tuple(step.readings for step in steps),
             rank=tuple(step.rank for step in steps),
-            condition=tuple(_finite(step.condition) for step in steps),
-            corrected=tuple(None if step.corrected is None else _finite(step.corrected) for step in steps),
-            change=tuple(_finite(step.change) for step in steps),
-            O1=index("O1"),
-            O2=index("O2"),
-            O3=index("O3"),
-            O4=index("O4"),
-            O5=index("O5"),
+            condition=tuple(finite(step.condition) for step in steps),
+            corrected=tuple(None if step.corrected is None else finite(step.corrected) for step in steps),
+            change=tuple(finite(step.change) for step in steps),
+            **indices_of([step.indices for step in steps]),
             chosen=self.chosen,
             settled=self.settled,
             poses=tuple(
-                PlannedPose(target_mm=tuple(target), tool_mm=tuple(tool), **{at: q})
-                for target, tool, q in zip(self.poses.targets.tolist(), self.poses.tool.tolist(), joints, strict=True)
+                PlannedPose(target_mm=tuple(target), tool_mm=tuple(tool), **joints) for target, tool, joints in rows
             ),
-            prediction=None if self.prediction is None else self.prediction.answer(mechanism),
+            prediction=self.prediction,
             notes=self.notes or None,
         )
 
@@ -420,5 +366,11 @@ def rule(n: Sequence[int], change: Sequence[float], threshold: float) -> tuple[i
     return first, settled
 
 
-def _finite(value: float) -> float | None:
+def indices_of(found: Sequence[Mapping[str, float]]) -> dict[str, Any]:
+    """Return observability indices O1 .. O5 of several sets as answers have them: a tuple for each."""
+    return {name: tuple(indices[name] for indices in found) for name in found[0]} if found else {}
+
+
+def finite(value: float) -> float | None:
+    """Return a number as answers have it: null where it is infinite."""
     return float(value) if math.isfinite(value) else None

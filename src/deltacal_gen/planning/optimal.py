@@ -28,7 +28,6 @@ from deltacal_gen.planning.matrix import (
     SCALINGS,
     Mount,
     Plan,
-    Prediction,
     Task,
     at_poses,
     generic,
@@ -37,8 +36,10 @@ from deltacal_gen.planning.matrix import (
     read_of,
     sensitivity,
 )
-from deltacal_gen.planning.reach import Poses, reach, reached_of, readable, tools_of
+from deltacal_gen.planning.reach import Poses, reach, reached_of, readable_targets, tools_of
 from deltacal_gen.planning.targets import CANDIDATES, candidates_of, reference_points, rings
+from deltacal_gen.results.plan import Deviation, Expected
+from deltacal_gen.units import file_unit, to_file
 
 RIDGE = 1e-9  # of the information of all candidates: keeps the determinant of a poor set above zero
 STARTS = 5  # random sets from which the exchange sets out
@@ -101,42 +102,44 @@ def d_optimal(
     task = task_of(robot, model, kind, tools, scaling, norm, said=said)
     if singular is not None:
         candidates = singularities.near(robot, singular, CANDIDATES, np.random.default_rng(0))
-    wanted = (
-        readable(robot, candidates_of(robot, at_poses(task)))
-        if candidates is None
-        else np.atleast_2d(np.asarray(candidates, dtype=float))
-    )
-    wanted = turned(robot, np.unique(wanted, axis=0))
-    wanted = wanted[reach(robot, wanted, task.tools)[1] == ""]
+    if candidates is None:
+        candidates = readable_targets(robot, candidates_of(robot, at_poses(task)))
+    wanted = reachable(task, turned(robot, np.unique(np.atleast_2d(np.asarray(candidates, dtype=float)), axis=0)))
     if len(wanted) < count:
         raise NoSolutionError(f"only {len(wanted)} of the candidates can be reached, but {count} positions are wanted.")
     whole, frame = bases(task, reached_of(robot, wanted, task.tools))
-    if count < fewest_of(task, whole):
+    if count < (fewest := fewest_of(task, whole)):
         raise UsageError(
             f"{count} positions give {count * _scalars(task)} coordinates, but {task.model} and the frame have "
-            f"{whole.shape[2]} unknowns that can be seen: plan at least {fewest_of(task, whole)} positions."
+            f"{whole.shape[2]} unknowns that can be seen: plan at least {fewest} positions."
         )
     picked = np.sort(exchange(whole, frame, count, np.random.default_rng(0) if rng is None else rng))
     poses = reached_of(robot, wanted[picked], task.tools)
     return Plan(
         **vars(task),
         method="d-optimal",
-        layers=(),
-        start_angle=0.0,
-        threshold=0.0,
         steps=(task.step(count, poses),),
         chosen=count,
-        settled=None,
         poses=poses,
-        prediction=None if sigma_mm is None else predict(task, poses, sigma_mm),
+        prediction=predict(task, poses, sigma_mm),
     )
 
 
-def predict(task: Task, poses: Poses, sigma_mm: float) -> Prediction | None:
-    """Return the standard deviations to expect from a set of poses, None where its rank is short.
+def reachable(task: Task, wanted: Array) -> Array:
+    """Return those of the targets, or of a chain's joints, at which the machine can be measured."""
+    return wanted[reach(task.robot, wanted, task.tools)[1] == ""]
 
-    Distances share the positions they lie between; their correlation is accounted for.
+
+def predict(task: Task, poses: Poses, sigma_mm: float | None) -> Expected | None:
+    """Return the standard uncertainties to expect from a set of poses, by unweighted least squares.
+
+    None where no noise is given, where the rank is short, or of a gauge. Distances share the positions they lie
+    between; their correlation is accounted for. Those of the tool position over the workspace are roots of the summed
+    variances of its coordinates, up to a motion of the frame, which neither distances nor positions in an unknown frame
+    determine.
     """
+    if sigma_mm is None or task.mount is not None:
+        return None
     robot, names, kind, count = task.robot, task.names, kind_of(task.kind), len(poses)
     mechanism = mechanism_of(robot)
     scale = column_convention(robot, names, "typical")[0]
@@ -154,13 +157,22 @@ def predict(task: Task, poses: Poses, sigma_mm: float) -> Prediction | None:
     if observability(H, count).rank < len(names):
         return None
     response = sigma_mm * np.linalg.pinv(H) @ spread_by
-    over = turned(robot, candidates_of(robot))
-    over = over[reach(robot, over, task.tools[:1])[1] == ""]
-    at = reached_of(robot, over, task.tools[:1])
+    one = dataclasses.replace(task, tools=task.tools[:1])
+    over = reachable(one, turned(robot, candidates_of(robot)))
+    at = reached_of(robot, over, one.tools)
     tool = read_of(mechanism, kind_of(POINTS), at, sensitivity(robot, at, names) * scale)
     spread = np.linalg.norm((tool @ response).reshape(len(over), -1), axis=1)
-    std = np.linalg.norm(response, axis=1) * scale
-    return Prediction(sigma_mm, dict(zip(names, std.tolist(), strict=True)), float(spread.mean()), float(spread.max()))
+    std = (np.linalg.norm(response, axis=1) * scale).tolist()
+    units = [mechanism.parameters[mechanism.index[name]].unit for name in names]
+    return Expected(
+        sigma_mm=sigma_mm,
+        parameters=tuple(
+            Deviation(name=name, std=to_file(value, unit), unit=file_unit(unit))
+            for name, value, unit in zip(names, std, units, strict=True)
+        ),
+        tool_mean_mm=float(spread.mean()),
+        tool_max_mm=float(spread.max()),
+    )
 
 
 def task_of(

@@ -17,7 +17,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -30,18 +30,14 @@ from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.machine.values import Measurement, Recording
 from deltacal_gen.planning import singularities
-from deltacal_gen.planning.matrix import (
-    FEWEST,
-    Mount,
-    Plan,
-    Step,
-    Task,
-    at_poses,
-    rule,
-)
-from deltacal_gen.planning.optimal import bases, exchange, fewest_of, log_det_with, predict, task_of
-from deltacal_gen.planning.reach import Poses, fitting, reach, reached_of, readable
+from deltacal_gen.planning.matrix import FEWEST, Mount, Plan, Step, Task, at_poses, rule
+from deltacal_gen.planning.optimal import bases, exchange, fewest_of, log_det_with, predict, reachable, task_of
+from deltacal_gen.planning.reach import Poses, fitting, reached_of, readable_targets
+from deltacal_gen.planning.rows import blank_recording
 from deltacal_gen.planning.targets import FINE, ROUGH, candidates_of, edges, parts_of, rings
+from deltacal_gen.results.plan import Method
+
+Sets = Callable[[int], tuple[Poses, tuple[str, ...]]]  # from n to its poses, and what became of those out of reach
 
 
 def plan(
@@ -117,34 +113,31 @@ def plan(
     if n_max < FEWEST:
         raise UsageError(f"n_max is {n_max}, but a ring has at least {FEWEST} poses.")
     drawn = None if singular is None else singularities.near(robot, singular, n_max, np.random.default_rng(0))
-    if mechanism_of(robot).many_ways or kind_of(task.kind).aims == "touch":
-        return _chain_plan(task, threshold, n_max, sigma_mm)
-    planar = len(mechanism_of(robot).axes) == 2
-    if drawn is not None:
-        layers = ()
-    if layers is None:
-        layers = ROUGH if not planar and len(mechanism_of(robot).model(model)) <= mechanism_of(robot).limbs else FINE
-    parts = parts_of(layers)
-
-    def ring(n: int) -> tuple[Poses, tuple[str, ...]]:
-        if drawn is not None:
-            return reached_of(robot, drawn[:n], task.tools), ()
-        space = workspace_of(robot)
-        if not planar:
-            return fitting(robot, readable(robot, rings(space, n, parts, start_angle)), task.tools, space.home)
-        shift = task.tools[0] - robot.tool  # the robot's own reference point runs along the edges
-        return fitting(robot, readable(robot, edges(space, n, parts) + shift), task.tools, space.home + shift)
-
+    method: Method
+    sets: Sets
+    mechanism, first = mechanism_of(robot), FEWEST
+    parts: tuple[float, ...] = ()
+    if mechanism.many_ways or kind_of(task.kind).aims == "touch":
+        method, start_angle = "joints", 0.0
+        first, sets = _joints(task, n_max)
+    elif drawn is not None:
+        method = "singular"
+        sets = lambda n: (reached_of(robot, drawn[:n], task.tools), ())  # noqa: E731
+    else:
+        method = "edges" if len(mechanism.axes) == 2 else "rings"
+        rough = method == "rings" and len(mechanism.model(model)) <= mechanism.limbs
+        parts = parts_of((ROUGH if rough else FINE) if layers is None else layers)
+        sets = _rings(task, method, parts, start_angle)
+    before = math.inf if method == "joints" else task.step(FEWEST - 1, sets(FEWEST - 1)[0]).condition
     steps: list[Step] = []
-    before = task.step(FEWEST - 1, ring(FEWEST - 1)[0]).condition
-    for n in range(FEWEST, n_max + 1):
-        steps.append(task.step(n, ring(n)[0], before))
+    for n in range(first, n_max + 1):
+        steps.append(task.step(n, sets(n)[0], before))
         before = steps[-1].condition
     chosen, settled = rule([step.n for step in steps], [step.change for step in steps], threshold)
-    poses, notes = ring(chosen or n_max)
+    poses, notes = sets(chosen or n_max)
     return Plan(
         **vars(task),
-        method="singular" if drawn is not None else "edges" if planar else "rings",
+        method=method,
         layers=parts,
         start_angle=start_angle,
         threshold=threshold,
@@ -152,15 +145,26 @@ def plan(
         chosen=chosen,
         settled=settled,
         poses=poses,
-        prediction=None if sigma_mm is None or mount is not None else predict(task, poses, sigma_mm),
+        prediction=predict(task, poses, sigma_mm),
         notes=notes,
     )
 
 
-def _chain_plan(task: Task, threshold: float, n_max: int, sigma_mm: float | None) -> Plan:
-    """Return joints of an open chain: as many as the model needs by exchange, then one by one what adds most."""
-    wanted = readable(task.robot, candidates_of(task.robot, kind_of(task.kind)))
-    wanted = wanted[reach(task.robot, wanted, task.tools)[1] == ""]
+def _rings(task: Task, method: Method, parts: Sequence[float], start_angle: float) -> Sets:
+    """Return what gives n poses on the rim of each layer, or along each edge."""
+    robot, space = task.robot, workspace_of(task.robot)
+    shift = task.tools[0] - robot.tool if method == "edges" else 0.0  # the robot's own point runs along the edges
+
+    def sets(n: int) -> tuple[Poses, tuple[str, ...]]:
+        targets = edges(space, n, parts) if method == "edges" else rings(space, n, parts, start_angle)
+        return fitting(robot, readable_targets(robot, targets + shift), task.tools, space.home + shift)
+
+    return sets
+
+
+def _joints(task: Task, n_max: int) -> tuple[int, Sets]:
+    """Return how many joints of a chain the model needs, and what gives n: by exchange, then what adds most."""
+    wanted = reachable(task, readable_targets(task.robot, candidates_of(task.robot, kind_of(task.kind))))
     whole, frame = bases(task, reached_of(task.robot, wanted, task.tools))
     fewest = max(FEWEST, fewest_of(task, whole))
     if fewest >= n_max:
@@ -168,53 +172,28 @@ def _chain_plan(task: Task, threshold: float, n_max: int, sigma_mm: float | None
             f"{task.model} needs {fewest} poses at the least, more than {n_max}: ask for fewer parameters."
         )
     picked = exchange(whole, frame, fewest, np.random.default_rng(0)).tolist()
-    steps: list[Step] = []
-    before = math.inf
-    for n in range(fewest, n_max + 1):
-        if n > fewest:
-            gain = log_det_with(whole, np.array(picked)) - log_det_with(frame, np.array(picked))
-            gain[picked] = -math.inf
-            picked.append(int(np.argmax(gain)))
-        steps.append(task.step(n, reached_of(task.robot, wanted[picked], task.tools), before))
-        before = steps[-1].condition
-    chosen, settled = rule([step.n for step in steps], [step.change for step in steps], threshold)
-    poses = reached_of(task.robot, wanted[picked[: chosen or n_max]], task.tools)
-    return Plan(
-        **vars(task),
-        method="joints",
-        layers=(),
-        start_angle=0.0,
-        threshold=threshold,
-        steps=tuple(steps),
-        chosen=chosen,
-        settled=settled,
-        poses=poses,
-        prediction=None if sigma_mm is None else predict(task, poses, sigma_mm),
-    )
+    for _ in range(fewest, n_max):
+        gain = log_det_with(whole, np.array(picked)) - log_det_with(frame, np.array(picked))
+        gain[picked] = -math.inf
+        picked.append(int(np.argmax(gain)))
+    return fewest, lambda n: (reached_of(task.robot, wanted[picked[:n]], task.tools), ())
 
 
 def target_recording(found: Plan, path: str | Path = "poses.csv") -> Recording:
     """Return a plan's poses as a recording of targets, or of a chain's joints, with nothing measured yet."""
-    count, mount, mechanism = len(found.poses), found.mount, mechanism_of(found.robot)
+    poses, mount, mechanism = found.poses, found.mount, mechanism_of(found.robot)
     kind = at_poses(found)
-    columns = kind.columns(mechanism)
-    recording = Recording(
-        path=Path(path),
-        kind=kind.name,
-        measurement=dataclasses.replace(found.said, kind=kind.name) if mount is None else mount.said,
-        joint_unit=mechanism.joint_unit,
-        joints=found.poses.joints,
-        columns=columns,
-        measured=np.full((count, len(columns)), np.nan),
-        pose=np.arange(1, count + 1).astype(str),
-        line=np.arange(2, count + 2),
-        channels={},
-        setup=np.zeros(count, dtype=int),
-        setup_names=("1",),
-        tool=found.poses.tool if mount is None else None,
+    recording = blank_recording(
+        found.robot,
+        kind.name,
+        poses.joints,
+        kind.columns(mechanism),
+        dataclasses.replace(found.said, kind=kind.name) if mount is None else mount.said,
+        path,
+        tool=poses.tool if mount is None else None,
         targets=None if mechanism.many_ways else _with_turns(found),
     )
-    return kind.laid_out(recording, found.poses.x, mechanism)
+    return kind.laid_out(recording, poses.x, mechanism)
 
 
 def _with_turns(found: Plan) -> Array:

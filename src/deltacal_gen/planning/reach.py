@@ -13,10 +13,10 @@ from deltacal_gen.files.robot import Robot
 from deltacal_gen.identification.accuracy import turned
 from deltacal_gen.machine.registry import SOLVED, STATUS, Array, mechanism_of
 from deltacal_gen.machine.rotation import from_vector, to_vector
-from deltacal_gen.units import file_unit, to_file, to_internal
+from deltacal_gen.planning.rows import readable
+from deltacal_gen.units import file_unit, to_file
 
 ASTRAY = "singular: the joints that stand for it do not lead back to it"
-READABLE = {"mm": 3, "rad": 4}  # digits of targets and joints that are written, in the units of files
 INWARDS = np.linspace(0.98, 0.3, 35)  # parts of the way from the centre at which a pose beyond limits is tried
 
 
@@ -76,10 +76,8 @@ def reach(robot: Robot, targets: Array, tools: Array) -> tuple[Poses, np.ndarray
         theta, _, solved = mechanism.inverse(turned(robot, targets), tools[0], nominal)
     why = np.array([STATUS[int(s)] if s != SOLVED else "" for s in solved], dtype=object)
     joints = robot.joint_sign * theta
-    if robot.joint_limits is not None:
-        low, high = robot.joint_limits.T
-        for row in np.flatnonzero(((joints < low) | (joints > high)).any(axis=1) & (why == "")):
-            why[row] = _beyond(robot, joints[row])
+    for row in np.flatnonzero(~within_limits(robot, joints) & (why == "")):
+        why[row] = _beyond(robot, joints[row])
     theta = np.tile(np.where((why == "")[:, None], theta, 0.0), (len(tools), 1))
     tool = np.repeat(tools, len(targets), axis=0)
     x, status = mechanism.forward(theta, tool, known)
@@ -90,6 +88,15 @@ def reach(robot: Robot, targets: Array, tools: Array) -> tuple[Poses, np.ndarray
     points = where[:, :3].copy()
     points[: len(targets)] = targets[:, :3]
     return Poses(np.tile(joints, (len(tools), 1)), points, tool, x, len(tools)), why.astype(str)
+
+
+def within_limits(robot: Robot, joints: Array) -> np.ndarray:
+    """Return which joints (N, n_q), as the controller counts, stand within their limits (N,)."""
+    if robot.joint_limits is None:
+        return np.ones(len(joints), dtype=bool)
+    low, high = robot.joint_limits.T
+    inside: np.ndarray = ((joints >= low) & (joints <= high)).all(axis=1)
+    return inside
 
 
 def _beyond(robot: Robot, joints: Array) -> str:
@@ -144,17 +151,15 @@ def fitting(robot: Robot, targets: Array, tools: Array, centre: Array) -> tuple[
 
 def _towards(robot: Robot, centre: Array, targets: Array, part: float) -> Array:
     """Return targets (M, 3), or poses (M, 12), at a part of their way from the centre, and of their turn."""
-    placed = readable(robot, centre + part * (targets[:, :3] - centre))
+    placed = readable_targets(robot, centre + part * (targets[:, :3] - centre))
     turns = to_vector(targets[:, 3:].reshape(-1, 3, 3))
     return placed if targets.shape[1] == 3 else np.hstack([placed, from_vector(part * turns).reshape(-1, 9)])
 
 
-def readable(robot: Robot, wanted: Array) -> Array:
-    """Return targets, or joints of an open chain, as a person types them: to 1 um, 0.0001 deg."""
+def readable_targets(robot: Robot, wanted: Array) -> Array:
+    """Return targets, or joints of an open chain, as a person types them."""
     mechanism = mechanism_of(robot)
-    units = mechanism.joint_units if mechanism.many_ways else ["mm"] * wanted.shape[1]
-    columns = zip(wanted.T, units, strict=True)
-    return np.column_stack([np.round(v / to_internal(u), READABLE[u]) * to_internal(u) for v, u in columns])
+    return readable(wanted, mechanism.joint_units if mechanism.many_ways else ["mm"] * wanted.shape[1])
 
 
 def place_of(target: Array) -> str:

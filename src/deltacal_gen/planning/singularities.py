@@ -17,6 +17,7 @@ from deltacal_gen.files.robot import Robot, robot_size
 from deltacal_gen.identification.accuracy import workspace_of
 from deltacal_gen.machine.registry import SOLVED, Array, Machine, mechanism_of, nominal_joints
 from deltacal_gen.machine.rotation import about_z
+from deltacal_gen.planning.reach import within_limits
 
 DIRECTIONS = 96  # in space, 20 deg apart: a distance is too large by 2 % at most; half as many in a plane
 SHELLS = 5  # distances at which a direction is looked at, before it is halved
@@ -92,7 +93,9 @@ def near(robot: Robot, band: tuple[float, float], count: int, rng: np.random.Gen
         ends = marks[np.where(lost.any(axis=1), lost.argmax(axis=1), len(marks) - 1)]
         drawn = middle + np.maximum(ends - rng.uniform(least, 2 * largest, len(rays)), 0.0)[:, None] * rays
         away = distance(robot, drawn, largest)
-        kept.append(drawn[(away >= least) & (away <= largest) & _within_limits(robot, drawn)])
+        q, status = nominal_joints(robot, drawn, robot.tool)
+        commanded = (status == SOLVED) & within_limits(robot, robot.joint_sign * q)
+        kept.append(drawn[(away >= least) & (away <= largest) & commanded])
         if sum(map(len, kept)) >= count:
             return np.vstack(kept)[:count]
     raise NoSolutionError(
@@ -139,13 +142,3 @@ def _regular(robot: Robot, targets: Array) -> np.ndarray:
         )
     parts = [sign(targets[n : n + BLOCK]) == wanted for n in range(0, len(targets), BLOCK)]
     return np.concatenate(parts) if parts else np.zeros(0, dtype=bool)
-
-
-def _within_limits(robot: Robot, targets: Array) -> np.ndarray:
-    if robot.joint_limits is None:
-        return np.ones(len(targets), dtype=bool)
-    q, status = nominal_joints(robot, targets, robot.tool)
-    joints = robot.joint_sign * q
-    low, high = robot.joint_limits.T
-    inside: np.ndarray = (status == SOLVED) & ((joints >= low) & (joints <= high)).all(axis=1)
-    return inside

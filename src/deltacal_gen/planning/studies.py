@@ -10,6 +10,7 @@ Of readings of joints, which see no source error, nothing but these can be asked
 
 from __future__ import annotations
 
+import dataclasses
 import math
 from collections.abc import Sequence
 from functools import partial
@@ -50,8 +51,8 @@ def work(study: Study, mark: str, what: str, *numbers: int) -> Json:
 
 
 def _asked(study: Study, mark: str, job: tuple[Any, ...]) -> tuple[Any, ...]:
-    """Return what a worker is handed."""
-    return study, mark, *job
+    """Return what a worker is handed, which works out the rest itself."""
+    return dataclasses.replace(study), mark, *job
 
 
 def tasks(study: Study, mark: str, trials: int, diagnoses: int) -> list[Task]:
@@ -93,39 +94,26 @@ def conduct(
         A chunk of machines failed.
     """
     with using(Backend.COMPILED):
-        return _conduct(study, model, trials, diagnoses, workers, cluster, directory, told)
-
-
-def _conduct(
-    study: Study,
-    model: str,
-    trials: int,
-    diagnoses: int,
-    workers: int | None,
-    cluster: str | None,
-    directory: str | Path | None,
-    told: Told,
-) -> results.Study:
-    joints = study.sees_joints
-    unknowns = study.instrument.n_unknown if joints else study.linear.J.shape[1]
-    scalars = study.problem.readings.n_scalars
-    if scalars < unknowns:
-        raise InputError(
-            f"the plan has {scalars} scalar readings for {unknowns} unknowns.",
-            "Add poses, or free fewer parameters with --model.",
-            file=study.poses.path,
-        )
-    trials, mark = 0 if joints else trials, study.fingerprint()
-    study = once(study, mark)
-    todo = tasks(study, mark, trials, diagnoses)
-    outcomes = run(work, todo, workers=workers, cluster=cluster, directory=directory, told=told)
-    done = [next(outcomes)]
-    more = None if joints else advice(study)  # while the workers are at work
-    done += outcomes
-    chunks = math.ceil(trials / study.chunk)
-    names = [tuple(EffectName(name=t.effect, limbs=t.limbs) for t in terms) for terms in study.suspects]
-    suspects = told_of(names, done[chunks:], diagnoses)
-    return _summed(study, model, [Machines(**_result(o)) for o in done[:chunks]], suspects, more)
+        joints = study.sees_joints
+        unknowns = study.instrument.n_unknown if joints else study.linear.J.shape[1]
+        scalars = study.problem.readings.n_scalars
+        if scalars < unknowns:
+            raise InputError(
+                f"the plan has {scalars} scalar readings for {unknowns} unknowns.",
+                "Add poses, or free fewer parameters with --model.",
+                file=study.poses.path,
+            )
+        trials, mark = 0 if joints else trials, study.fingerprint()
+        study = once(study, mark)
+        todo = tasks(study, mark, trials, diagnoses)
+        outcomes = run(work, todo, workers=workers, cluster=cluster, directory=directory, told=told)
+        done = [next(outcomes)]
+        more = None if joints else advice(study)  # while the workers are at work
+        done += outcomes
+        chunks = math.ceil(trials / study.chunk)
+        names = [tuple(EffectName(name=t.effect, limbs=t.limbs) for t in terms) for terms in study.suspects]
+        suspects = told_of(names, done[chunks:], diagnoses)
+        return _summed(study, model, [Machines(**_result(o)) for o in done[:chunks]], suspects, more)
 
 
 def _result(outcome: Outcome) -> Json:

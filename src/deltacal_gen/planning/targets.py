@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Sequence
 
 import numpy as np
 
 from deltacal_gen.errors import UsageError
 from deltacal_gen.files.robot import Robot
-from deltacal_gen.identification.accuracy import joint_spread, workspace_of
+from deltacal_gen.identification.accuracy import circle, joint_spread, workspace_of
 from deltacal_gen.instrument.kind import Kind
 from deltacal_gen.machine.registry import Array, mechanism_of
-from deltacal_gen.machine.rotation import about_z
 from deltacal_gen.machine.values import Measurement, Workspace
 from deltacal_gen.planning import boards
 
@@ -22,13 +20,7 @@ OFFSETS = ((0.0, 0.0, 0.0), (0.0, 0.0, -100.0), (100.0, 0.0, 0.0))  # mm: second
 CANDIDATES = 400  # joints of an open chain, positions near singularities
 
 
-def rings(
-    workspace: Workspace,
-    n: int,
-    layers: Sequence[str | float] = FINE,
-    start_angle: float = 0.0,
-    home: bool = True,
-) -> Array:
+def rings(workspace: Workspace, n: int, layers: Sequence[str | float] = FINE, start_angle: float = 0.0) -> Array:
     """Return the paper's set: the centre of the cylinder and n evenly spaced poses on the rim of each layer.
 
     Parameters
@@ -40,17 +32,16 @@ def rings(
 
     Returns
     -------
-    targets : (n * len(layers) + home, 3) array
+    targets : (1 + n * len(layers), 3) array
         [mm]
 
     References
     ----------
     Bai 2015, section 3.3 and Fig. 4.
     """
-    turn = start_angle + 2 * np.pi * np.arange(n) / n
-    rim = about_z(radius(workspace), turn)
-    sets = [workspace.place(rim, part) for part in parts_of(layers)]
-    return np.vstack([workspace.home, *sets] if home else sets)
+    radius(workspace)
+    rims = [circle(workspace, part, 1.0, n, start_angle) for part in parts_of(layers)]
+    return np.vstack([workspace.home, *rims])
 
 
 def edges(workspace: Workspace, n: int, layers: Sequence[str | float] = FINE) -> Array:
@@ -112,11 +103,8 @@ def grid(workspace: Workspace, layers: int = 3, radii: int = 2, angles: int = 24
         return edges(workspace, radii * angles + 1, np.linspace(0.0, 1.0, layers).tolist())
     heights = np.linspace(0.0, 1.0, layers).tolist()
     axis = workspace.place(np.zeros((layers, 2)), heights)
-    inner = [
-        rings(dataclasses.replace(workspace, radius=radius(workspace) * k / radii), angles, heights, home=False)
-        for k in range(1, radii + 1)
-    ]
-    return np.vstack([axis, *inner])
+    parts = np.arange(1, radii + 1) / radii
+    return np.vstack([axis, *(circle(workspace, height, part, angles) for part in parts for height in heights)])
 
 
 def reference_points(robot: Robot, count: int) -> Array:
