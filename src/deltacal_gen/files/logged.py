@@ -56,27 +56,24 @@ def increasing(
     InputError
         Time goes backwards within a run.
     """
+
+    def error(row: int, problem: str, remedy: str) -> InputError:
+        return InputError(problem, remedy, file=path, line=int(line[row]), column=TIME)
+
     again = np.zeros(len(time), dtype=bool)
     for code, name in enumerate(names):
         own = np.flatnonzero(run == code)
         steps = np.diff(time[own])
         if (steps < 0).any():
             k = int(np.argmax(steps < 0))
-            raise InputError(
+            raise error(
+                own[k + 1],
                 f"time goes backwards within {name}: {time[own[k]]:g} s, then {time[own[k + 1]]:g} s.",
                 "Sort the rows, or give each uninterrupted movement a label of its own in the column 'run'.",
-                file=path,
-                line=int(line[own[k + 1]]),
-                column=TIME,
             )
         if len(steps) > 1 and not steps.any():
-            raise InputError(
-                f"time stands still within {name}.",
-                "Give the time of each sample, or leave the column out.",
-                file=path,
-                line=int(line[own[0]]),
-                column=TIME,
-            )
+            remedy = "Give the time of each sample, or leave the column out."
+            raise error(own[0], f"time stands still within {name}.", remedy)
         again[own[1:][steps == 0]] = True
     told = [f"{path}:{n}: the time of the row before once more; the row is left out" for n in line[again]]
     return again, told

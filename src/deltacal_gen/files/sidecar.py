@@ -6,8 +6,7 @@ import dataclasses
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
-from pydantic import AfterValidator, Field, ValidatorFunctionWrapHandler, WrapValidator
-from pydantic_core import PydanticCustomError
+from pydantic import BeforeValidator, Field, ValidatorFunctionWrapHandler, WrapValidator
 
 from deltacal_gen.files.columns import sidecar_path
 from deltacal_gen.files.toml import Number, Positive, Table, TomlFile, Vector, table_of, toml_text
@@ -51,20 +50,12 @@ def said_of(camera: Camera) -> dict[str, Any]:
     }
 
 
-def _kind_name(value: str) -> str:
-    """Return a kind's name of what a sidecar calls it."""
-    for name in kinds.names():
-        if value in (name, *kind_of(name).aliases):
-            return name
-    *most, last = map(repr, kinds.names())
-    expected = f"{', '.join(most)} or {last}"
-    raise PydanticCustomError("literal_error", "one of {expected} was expected", {"expected": expected})
-
-
+_ALIASES = {alias: name for name in kinds.names() for alias in kind_of(name).aliases}
+_Kind: Any = Annotated[Literal[kinds.names()], BeforeValidator(lambda said: _ALIASES.get(str(said), said))]
 _Measurement = table_of(
     Measurement,
     Noise,
-    kind=Annotated[str, AfterValidator(_kind_name)],
+    kind=_Kind,
     frame=Literal["unknown", "robot"],
     instrument=str,
     operator=str,

@@ -284,7 +284,9 @@ def _joint(tag: Tag) -> Joint:
         axis=axis / length,
         limits=(low, high) if limited and max(-low, high) < NONE * unit else None,
         speed=speed if 0 < speed < NONE * unit else None,
-        mimics=follows and (follows, mimic.number("multiplier", "1"), unit * mimic.number("offset", "0")),
+        mimics=None
+        if follows is None
+        else (follows, mimic.number("multiplier", "1"), unit * mimic.number("offset", "0")),
     )
 
 

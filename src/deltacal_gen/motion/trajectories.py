@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, ClassVar, Literal
 
 import numpy as np
 
-from deltacal_gen.errors import InputError
 from deltacal_gen.files.columns import DRIVE, sidecar_path
 from deltacal_gen.files.logged import increasing, logged
 from deltacal_gen.files.rows import Rows, read_table
@@ -265,7 +264,12 @@ def trajectories(
     labels = rows.labels("run", blank=False) or ["1"] * len(time)
     run_names = tuple(dict.fromkeys(labels))
     run = np.array([run_names.index(label) for label in labels])
-    _in_one_piece(rows, run, run_names)
+    rows.refuse(
+        run < np.maximum.accumulate(run),
+        lambda k: f"run '{run_names[run[k]]}' goes on here, after rows of another one.",
+        "Keep each run together.",
+        column="run",
+    )
     again, repairs = increasing(rows.path, rows.line, time, run, [f"run '{name}'" for name in run_names])
     kept = ~again
     repaired = set(rows.line[~kept].tolist())
@@ -345,20 +349,6 @@ def _put_right(
             for k, value in spikes.items()
         ]
     return repairs, lines
-
-
-def _in_one_piece(rows: Rows, run: np.ndarray, names: tuple[str, ...]) -> None:
-    """Raise an InputError where a run is interrupted by another one."""
-    for code, name in enumerate(names):
-        own = np.flatnonzero(run == code)
-        if (np.diff(own) != 1).any():
-            row = int(own[1:][np.diff(own) != 1][0])
-            raise rows.error(
-                f"run '{name}' goes on here, after rows of another one.",
-                "Keep each run together.",
-                row=row,
-                column="run",
-            )
 
 
 def _read_columns(rows: Rows, machine: Machine, needed: bool) -> tuple[tuple[str, ...], tuple[str, ...]]:
@@ -467,15 +457,11 @@ def _check_derivatives(rows: Rows, found: Trajectories, machine: Machine) -> Non
     said = found.said.motion.derivatives
     needed = {None: (), "velocity recorded": (0,), "recorded": (0, 1)}[said]
     for order in needed:
-        blank = np.isnan(found.recorded[order])
-        if blank.any():
-            pattern = (SPEEDS, ACCELERATIONS)[order]
-            row, joint = np.argwhere(blank)[0]
-            column = joint_names(machine.joint_unit, machine.limbs, pattern)[joint]
-            raise InputError(
+        names = joint_names(machine.joint_unit, machine.limbs, (SPEEDS, ACCELERATIONS)[order])
+        for name, values in zip(names, found.recorded[order].T, strict=True):
+            rows.refuse(
+                np.isnan(values),
                 f'the sidecar says derivatives = "{said}", and this column has no number here.',
                 "Record it, or leave derivatives out under [motion]: they are then made of the joints.",
-                file=rows.path,
-                line=int(rows.line[row]),
-                column=column,
+                column=name,
             )
