@@ -200,15 +200,6 @@ def test_bands_of_distances_stand_in_their_file(robot: Robot, mechanism: Machine
     assert np.mean((low <= true.pair_measured) & (true.pair_measured <= high)) > 0.85
 
 
-def test_uncertainty_of_effects_that_were_taken_out_by_hand_gives_no_bands(tmp_path: Path) -> None:
-    folder = example("gearbox")
-    found = dc.diagnose(folder / "robot.toml", folder / "recording.csv")
-    edited = found | {"physics": []}
-    dc.predict(edited, folder / "recording.csv", output=tmp_path / "predicted.csv")
-    with pytest.raises(InputError, match="of 1 coefficients of effects, and it has others"):
-        dc.predict(edited, folder / "recording.csv", output=tmp_path / "predicted.csv", bands=True)
-
-
 def test_errors_without_a_unit_are_called_so() -> None:
     """Leads of spindles are numbers; beside them there are mm."""
     said = knowledge._text(

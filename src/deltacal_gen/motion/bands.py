@@ -118,12 +118,6 @@ def unsure(
             by_size.append(_by_size(rung, read, values, given))
     J = np.column_stack([*parts, *by_size])
     L = unpacked(known.factor)
-    if len(L) != J.shape[1]:
-        raise InputError(
-            f"the uncertainty of joint {model.joint} is of {len(L)} numbers, and it has {J.shape[1]}: the result was "
-            "changed by hand.",
-            "Give the file as it was written.",
-        )
     variance = ((J @ L) ** 2).sum(axis=1)
     if known.delay_std is not None:
         variance += (earlier(total, known.delay_std, given.time, given.piece) - total) ** 2

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
@@ -18,8 +18,6 @@ from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion import trajectories
 from deltacal_gen.motion.trajectories import Sidecar, Trajectories
-from deltacal_gen.physics.law import is_law
-from deltacal_gen.physics.terms import drive_effect_names, load_effect
 from deltacal_gen.results.motion import (
     InertialParameter,
     MotionDiagnosis,
@@ -200,36 +198,6 @@ def is_recording(path: Path) -> bool:
     except InputError:
         return False
     return any(JOINT.fullmatch(n) for n in names) and any(DRIVE.fullmatch(n) for n in beside)
-
-
-def flaws(known: MotionModel) -> Iterator[tuple[str, str]]:
-    """Yield key and flaw of all in a result that cannot be: its file may have been edited by hand."""
-    try:
-        machine = mechanism_of(robot_of(known.robot))
-    except InputError as error:
-        yield "robot", str(error).rstrip(".")
-        return
-    if len(known.columns) != machine.limbs:
-        yield "columns", f"a machine with {machine.limbs} joints has a reading of each"
-    for k, model in enumerate(known.joints):
-        if not 1 <= model.joint <= machine.limbs:
-            yield f"joints[{k}]", f"joints are counted from 1 to {machine.limbs}"
-        if len(model.columns) != len(model.coefficients):
-            yield f"joints[{k}]", "columns and coefficients are not equally many"
-        if any(not 0 <= c < len(known.inertial) for c in model.columns):
-            yield f"joints[{k}]", "it names inertial parameters that the machine does not have"
-        for term in model.terms:
-            if not is_law(term.effect) and term.effect not in drive_effect_names():
-                yield f"joints[{k}]", f"there is no effect '{term.effect}' on what drives give"
-                continue
-            try:
-                kernels = load_effect(term.effect)
-            except ValueError as error:  # a law that is none
-                yield f"joints[{k}]", str(error).rstrip(".")
-                continue
-            wanted = len(kernels.COEFFICIENTS), len(kernels.CONSTANTS)
-            if (len(term.values), len(term.constants)) != wanted:
-                yield f"joints[{k}]", f"{term.effect} needs {wanted[0]} values and {wanted[1]} constants"
 
 
 def columns_of(done: Trajectories, *, joints: bool = True) -> Columns:

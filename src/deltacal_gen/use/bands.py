@@ -59,15 +59,8 @@ def known_of(result: Result | Diagnosis) -> Uncertainty:
     Raises
     ------
     InputError
-        It keeps none, or that of other effects.
+        It keeps none.
     """
-    counts = np.cumsum([np.size(term.values) for term in result.physics or ()]).tolist()
-    if result.uncertainty is not None and result.uncertainty.coefficients not in (0, *counts):
-        raise InputError(
-            f"the result's uncertainty is of {result.uncertainty.coefficients} coefficients of effects, and it has "
-            f"others: its effects were changed by hand.",
-            "Give the file as it was written.",
-        )
     if result.uncertainty is None:
         raise InputError(
             "the result says nothing of its uncertainty: it was made by an earlier version.",

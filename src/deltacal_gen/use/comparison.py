@@ -63,6 +63,8 @@ def compare(before: Calibration, after: Calibration) -> Comparison:
             "Identify both sessions from the same robot file.",
         )
     told = [{p.name: p for p in r.parameters} for r in (before, after)]
+    if missing := [p.name for p in mechanism.parameters if any(p.name not in t for t in told)]:
+        raise InputError(f"a result does not hold {missing[0]}.", "Give the file as it was written.")
     entries = []
     for p in mechanism.parameters:
         a, b = (t[p.name] for t in told)
