@@ -14,26 +14,6 @@ What they answer is a frozen value; ``result["heldout_rms_mm"]`` is what its JSO
 
 from __future__ import annotations
 
-from typing import Any
-
 import lazy_loader
-
-from deltacal_gen.results import shown as _shown
-
-
-def _plotted(answer: Any) -> Any:
-    from deltacal_gen.pages.plots import plot
-
-    return plot(answer)
-
-
-def _named(recording: Any) -> Any:
-    from deltacal_gen.files.writing import file_columns
-
-    return file_columns(recording)
-
-
-_shown.lend(plot=_plotted, columns=_named)  # what stands above answers; both take long to import
-
 
 __getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)  # so that a command starts at once

@@ -30,6 +30,7 @@ from .errors import (
 from .estimation.arrays import PoseSet as PoseSet, estimate as estimate, nominal as nominal
 from .estimation.solvers import LeastSquares as LeastSquares, Prior as Prior, Ridge as Ridge, TSVD as TSVD
 from .files.dialect import decimal_mark as decimal_mark
+from .files.frames import to_dataframe as to_dataframe
 from .files.importers.bag import import_bag as import_bag
 from .files.importers.c3d import import_c3d as import_c3d
 from .files.importers.klipper import import_klipper as import_klipper
@@ -43,6 +44,7 @@ from .files.robot import read_robot as read_robot, robot_to_toml as robot_to_tom
 from .machine.backend import Backend as Backend, using as using
 from .machine.registry import Machine as Machine, load_mechanism as load_mechanism
 from .machine.values import Recording as Recording, Robot as Robot
+from .pages.plots import plot as plot
 from .results.batch import Batch as Batch
 from .results.certificate import Certificate as Certificate
 from .results.comparison import Comparison as Comparison

@@ -24,13 +24,7 @@ from deltacal_gen.files.robot import robot_from_dict, robot_to_toml
 from deltacal_gen.files.writing import write_recording
 from deltacal_gen.pages import report as pages
 from deltacal_gen.physics.simulation import simulate
-from deltacal_gen.results.batch import (
-    Batch,
-    DiagnosedDrivesRow,
-    FailedRow,
-    IdentifiedDrivesRow,
-    IdentifiedRow,
-)
+from deltacal_gen.results.batch import Batch, Row
 from deltacal_gen.results.diagnosis import Diagnosis, EffectParameter, LawTerm
 from deltacal_gen.results.reader import read_answer
 from tests.support.commands import Run
@@ -207,8 +201,8 @@ def test_what_firmware_and_trackers_keep_is_imported(tmp_path: Path) -> None:
 
 def test_of_very_many_the_page_shows_the_distribution_and_the_worst() -> None:
     figures = {"model": "9", "before_mm": 1.0, "fitted_mm": 0.1, "noise_mm": 0.1, "error": None}
-    good = (IdentifiedRow(recording=f"m{k}/r.csv", machine=f"m{k}", after_mm=k / 1000, **figures) for k in range(2000))
-    bad = (FailedRow(recording=f"bad{k}/r.csv", machine=f"bad{k}", error="nothing in it") for k in range(900))
+    good = (Row(recording=f"m{k}/r.csv", machine=f"m{k}", after_mm=k / 1000, **figures) for k in range(2000))
+    bad = (Row(recording=f"bad{k}/r.csv", machine=f"bad{k}", error="nothing in it") for k in range(900))
     page = pages.batch(Batch(action="identify", rows=(*good, *bad), changed=()))
     assert len(page) < 400_000
     assert "m1999/r.csv" in page
@@ -280,13 +274,14 @@ def test_recordings_in_motion_are_done_joint_by_joint(moving: Path, tmp_path: Pa
     first, second, third = found.rows
     assert [row.recording for row in found.rows] == ["s1.csv", "s2.csv", "s3.csv"]
     for row in (first, second):
-        assert isinstance(row, DiagnosedDrivesRow)
+        assert row.effects
+        assert row.before_by_joint
         assert row.verdict == "missing_physics"
         assert "coulomb_friction 1 2" in row.effects
         assert row.unit_by_joint == ("Nm", "Nm", "Nm")
         assert row.after_by_joint == pytest.approx([0.05] * 3, rel=0.1)
         assert row.before_by_joint[0] > 1.0
-    assert isinstance(third, FailedRow)
+    assert third.error
     (change,) = found.changed
     assert change.text.startswith("still missing_physics; held out 0.0")
     assert change.text.endswith(" Nm.")
@@ -308,12 +303,12 @@ def test_drives_are_identified_and_validated(moving: Path, tmp_path: Path) -> No
     assert np.array(left) == pytest.approx(0.05, rel=0.3)
     assert done.changed[0].text.startswith("error 0.0")
     found = fleet.conduct(arm, tmp_path / "again", "identify", workers=1).rows[0]
-    assert isinstance(found, IdentifiedDrivesRow)
+    assert found.after_by_joint
     assert found.model == "serial/rigid"
     assert min(v for v in found.after_by_joint if v is not None) > 1.0  # without friction
 
 
 def test_the_readings_of_an_instrument_with_its_own_clock_come_along(moving: Path, tmp_path: Path) -> None:
     (row,) = fleet.conduct(moving / "delta", tmp_path / "run", "identify", model="3", workers=1).rows
-    assert isinstance(row, IdentifiedRow)
-    assert row.noise_mm < 0.1
+    assert row.fitted_mm
+    assert 0 < row.noise_mm < 0.1

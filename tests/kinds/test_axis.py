@@ -250,7 +250,7 @@ def test_a_page_of_a_validation_draws_the_axis_from_both_sides(robot: Robot, run
     for words in ("ISO 9283, 21 poses", "ISO 230-2, 19 positions", "downwards", f"{figures.B_mm:.4f}", "<svg"):
         assert words in page
     assert "http" not in page.replace("http://www.w3.org", "")
-    picture = dc.validate(tmp_path / "r.json", made.path).plot()
+    picture = dc.plot(dc.validate(tmp_path / "r.json", made.path))
     assert [line.get_label() for line in picture.axes[0].get_lines()][:3] == ["upwards", "downwards", "mean of both"]
 
 

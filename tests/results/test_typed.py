@@ -36,18 +36,18 @@ def test_each_sort_of_answer_draws_itself(result: dc.Result) -> None:
         dc.study(DELTA / "robot.toml", plan=DELTA / "poses.csv", model="delta/3", trials=8, workers=1, noise=0.01),
     ]
     for answer in answers:
-        sheet = answer.plot()
+        sheet = dc.plot(answer)
         assert isinstance(sheet, Sheet)
         assert "</svg>" in sheet._repr_svg_(), answer
     with pytest.raises(dc.UsageError, match="no picture of a Simulated"):
-        Simulated(recording="a.csv", readings=1, kind="position").plot()
+        dc.plot(Simulated(recording="a.csv", readings=1, kind="position"))
 
 
 def test_a_picture_leaves_the_backend_of_a_program_alone() -> None:
     script = (
         "import sys, deltacal_gen as dc\n"
         f"folder = {str(DELTA)!r}\n"
-        "dc.plan(folder + '/robot.toml', model='delta/3').plot()\n"
+        "dc.plot(dc.plan(folder + '/robot.toml', model='delta/3'))\n"
         "assert 'matplotlib.pyplot' not in sys.modules"
     )
     subprocess.run([sys.executable, "-c", script], check=True)
@@ -69,7 +69,7 @@ def test_the_robot_of_a_result_is_a_robot(result: dc.Result) -> None:
 def test_recordings_and_compensators_are_short_in_a_session_and_frames_where_wanted(result: dc.Result) -> None:
     done = dc.predict(result, DELTA / "recording.csv")
     assert repr(done) == f"<Recording: {done.n_rows} readings of the kind position, recording.csv>"
-    assert list(done.to_dataframe())[:3] == ["pose", "q1_deg", "q2_deg"]
+    assert list(dc.to_dataframe(done))[:3] == ["pose", "q1_deg", "q2_deg"]
     assert repr(dc.Compensator(result)) == "<Compensator of 'prototype', exact: geometry>"
 
 

@@ -10,10 +10,10 @@ from typing import Any, assert_type
 
 import numpy as np
 import pandas as pd
-from matplotlib.figure import Figure
 
 import deltacal_gen as dc
 from deltacal_gen.app.demonstration import example
+from deltacal_gen.pages.figures import Sheet
 
 
 def calibrated(folder: Path, frame: pd.DataFrame) -> dc.Result:
@@ -22,8 +22,7 @@ def calibrated(folder: Path, frame: pd.DataFrame) -> dc.Result:
     assert_type(result, dc.Result)
     assert_type(result.heldout_rms_mm, float | None)
     assert_type(result.parameters[0].status, dc.Status)
-    assert_type(result.plot(), Figure)
-    assert_type(result.summary(), str)
+    assert_type(dc.plot(result), Sheet)
     cut = dc.identify(result.robot, frame, model=18, method=dc.TSVD(12))
     assert cut.heldout_rms_mm is not None
     return cut
@@ -37,7 +36,7 @@ def used(result: dc.Result, folder: Path, frame: pd.DataFrame) -> dc.Comparison:
     assert np.allclose(dc.Compensator(result).joints(targets), np.radians(joints))
     predicted = dc.predict(result, frame)
     assert_type(predicted, dc.Recording)
-    assert len(predicted.to_dataframe()) == predicted.n_rows
+    assert len(dc.to_dataframe(predicted)) == predicted.n_rows
     assert_type(dc.validate(result, frame).rms_mm, float)
     planned = dc.plan(result.robot, model="delta/18")
     assert_type(planned.chosen, int | None)

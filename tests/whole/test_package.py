@@ -33,7 +33,7 @@ result: dc.Result = dc.identify("robot.toml", "recording.csv", model="delta/32")
 held: float | None = result.heldout_rms_mm
 texts: list[str] = [c.text for c in result.unidentifiable]
 joints = dc.compensate(result, np.zeros((2, 3)))
-print(joints.shape, result.summary())
+print(joints.shape, str(result))
 verdict: dc.Verdict = dc.diagnose("robot.toml", "recording.csv").verdict
 wrong: int = result.model
 """

@@ -18,7 +18,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Any, cast
+from typing import Any, cast, get_args
 
 from deltacal_gen.app.commands.assess import validate
 from deltacal_gen.app.commands.calibration import diagnose, identify
@@ -36,22 +36,7 @@ from deltacal_gen.motion import kinds
 from deltacal_gen.pages import report
 from deltacal_gen.physics.law import PREFIX, load_law
 from deltacal_gen.results.base import Answer, Json
-from deltacal_gen.results.batch import (
-    Action,
-    Batch,
-    DiagnosedDrivesRow,
-    DiagnosedRow,
-    Done,
-    FailedRow,
-    IdentifiedDrivesRow,
-    IdentifiedRow,
-    Moved,
-    Row,
-    ValidatedDrivesRow,
-    ValidatedRow,
-    in_table,
-    worst,
-)
+from deltacal_gen.results.batch import Action, Batch, Moved, Row, in_table, worst
 from deltacal_gen.results.diagnosis import Diagnosis, Geometry, LawTerm, Verdict
 from deltacal_gen.results.motion import (
     MotionDiagnosis,
@@ -62,13 +47,7 @@ from deltacal_gen.results.reader import read_answer
 from deltacal_gen.results.result import Result
 from deltacal_gen.results.validation import Validation
 
-ROWS: Mapping[Action, type[Done]] = {"diagnose": DiagnosedRow, "identify": IdentifiedRow, "validate": ValidatedRow}
-DRIVES: Mapping[Action, type[Done]] = {
-    "diagnose": DiagnosedDrivesRow,
-    "identify": IdentifiedDrivesRow,
-    "validate": ValidatedDrivesRow,
-}
-ACTIONS = tuple(ROWS)
+ACTIONS: tuple[Action, ...] = get_args(Action)
 FIGURES = "figures"  # key beside those of an answer, in what a task keeps
 RESULT = "result.json"  # beside the robot: what its recordings are validated against
 PAGES = "pages"  # of single recordings, in the run directory
@@ -314,7 +293,7 @@ def conduct(
     rows = []
     for job in todo:
         outcome = Outcome("", job.label, None, job.refused) if job.refused is not None else next(outcomes)
-        rows.append(_row(cast("Action", action), job, outcome))
+        rows.append(_row(job, outcome))
     changed = _changed(open_, keys, files, store, _last(directory))
     passed = passed_over(Path(folder), listed) or None
     found = Batch(action=cast("Action", action), rows=tuple(rows), changed=changed, passed_over=passed)
@@ -391,7 +370,7 @@ def _key(contents: Callable[[], Contents], *more: str | None) -> tuple[str, str]
             digest.update(f"{name} {len(content)} ".encode() + content)
     except InputError as error:
         digest.update(str(error).encode())
-    return content_key(Batch.schema, *more, digest.hexdigest()), digest.hexdigest()[:32]
+    return content_key(Batch.named(), *more, digest.hexdigest()), digest.hexdigest()[:32]
 
 
 def _figures(found: Answer) -> Json:
@@ -452,14 +431,13 @@ def _figures_of_drives(found: MotionDiagnosis | MotionResult | MotionValidation)
     }
 
 
-def _row(action: Action, job: Job, outcome: Outcome) -> Row:
+def _row(job: Job, outcome: Outcome) -> Row:
     """Return a recording's line of the table."""
     if outcome.result is None:
-        return FailedRow(recording=job.label, machine=job.machine, error=outcome.error or "")
+        return Row(recording=job.label, machine=job.machine, error=outcome.error or "")
     figures: Json = {k: tuple(v) if isinstance(v, list) else v for k, v in outcome.result[FIGURES].items()}
     warnings = " ".join(job.warnings) or None
-    of = DRIVES if "unit_by_joint" in figures else ROWS
-    return of[action](recording=job.label, machine=job.machine, **figures, error=None, warnings=warnings)
+    return Row(recording=job.label, machine=job.machine, **figures, error=None, warnings=warnings)
 
 
 # ------------------------------------------------------------------------------------------------------ for readers
@@ -473,7 +451,7 @@ def write_pages(found: Batch, directory: Path) -> dict[str, str]:
     store, last, links = Store(directory), _last(directory), {}
     done = [] if found.action == "validate" else worst(found.rows, report.MOST_DRAWN)
     for row in done:
-        kept = None if isinstance(row, FailedRow) else store.get(last[row.recording][1])
+        kept = None if row.error is not None else store.get(last[row.recording][1])
         if kept is None or kept.result is None:
             continue
         place = Path(PAGES) / f"{last[row.recording][1]}.html"

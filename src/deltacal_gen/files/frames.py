@@ -4,13 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from deltacal_gen.errors import UsageError
 from deltacal_gen.files.dialect import is_known
 from deltacal_gen.files.rows import Rows, typed_rows
 from deltacal_gen.files.sidecar import Sidecar
 from deltacal_gen.files.toml import TomlFile, nearest
+from deltacal_gen.files.writing import file_columns
+from deltacal_gen.machine.values import Recording
+from deltacal_gen.results.base import frame_of
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 PATH = Path("data frame")  # what messages call it
 _MAKERS = ("to_dataframe", "to_pandas")  # methods that make a data frame
@@ -44,6 +50,13 @@ def rows_of(frame: object) -> tuple[Rows, Sidecar]:
     cells = [["" if off else str(v).strip() for v, off in zip(own, own.isna(), strict=True)] for own in columns]
     rows = typed_rows(PATH, [str(name).strip() for name in table.columns], cells, len(table))
     return rows, _sidecar(getattr(frame, "attrs", {}))
+
+
+def to_dataframe(recording: Recording) -> pd.DataFrame:
+    """Return what the file of a recording would hold, as a data frame; of distances those alone. Needs pandas."""
+    own, distances = file_columns(recording)
+    cells = distances or own
+    return frame_of([dict(zip(cells, row, strict=True)) for row in zip(*cells.values(), strict=True)])
 
 
 def _table(frame: Any) -> Any:

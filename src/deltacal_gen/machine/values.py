@@ -16,13 +16,10 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import numpy as np
 
-from deltacal_gen.results import shown
 from deltacal_gen.states import PAYLOAD, TIME
 from deltacal_gen.units import DEG
 
 if TYPE_CHECKING:
-    import pandas as pd
-
     from deltacal_gen.results.parts import SeriesMade
 
 POSITION = ("x_mm", "y_mm", "z_mm")
@@ -385,10 +382,6 @@ class Recording:
         readings = self.n_rows if self.pairs is None else len(self.pairs)
         what = "targets" if self.targets is not None else f"readings of the kind {self.kind}"
         return f"<Recording: {readings} {what}, {Path(self.path).name}>"
-
-    def to_dataframe(self) -> pd.DataFrame:
-        """Return what its file would hold, as a data frame; of distances those alone. Needs pandas."""
-        return shown.recorded(self)
 
     @property
     def n_rows(self) -> int:

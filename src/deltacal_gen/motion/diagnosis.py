@@ -272,8 +272,9 @@ def _rejected(session: Session, effects: Sequence[TorqueEffect], fits: Sequence[
                 gain_chi2=float(max(k.gain for _, k in where)),
                 why=f"it takes {100 * max(most.buys, 0.0):.2g} % of the held-out rms away where it takes most, on "
                 f"joint {fit.joint.number}, beside what is named{_for_all_that(most)}",
-                **(session.in_unit("heldout_rms", float(np.sqrt(square))) if one else {}),
+                heldout_rms=float(np.sqrt(square)) if one else None,
                 heldout_rms_by_joint=by_joint,
+                unit_by_joint=session.given.units,
             )
         )
     return tuple(sorted(found, key=lambda r: -r.gain_chi2))

@@ -50,8 +50,6 @@ def identify(robot: Robot, given: Trajectories, model: str | None = None) -> Mot
     fits = [fitted(joint, []) for joint in session.moving]
     final, noise = session.left(fits, name), session.noise(fits)
     bodies = bodies_told(session.rigid, fits)
-    figures = {key: value for key, value in final.written() if key.startswith(("train_rms_", "heldout_rms_"))}
-    sigmas = {key: value for key, value in noise.written() if key.startswith("sigma_")}
     return MotionResult(
         **session.answered(fits),
         **bodies,
@@ -62,7 +60,9 @@ def identify(robot: Robot, given: Trajectories, model: str | None = None) -> Mot
         readings=Read(kind=given.kind, scalars=sum(len(fit.left) for fit in fits), poses=given.n_rows),
         noise=noise,
         final=final,
-        **{key: value for key, value in (figures | sigmas).items() if "_by_joint" not in key},
+        train_rms=final.train_rms,
+        heldout_rms=final.heldout_rms,
+        sigma=noise.sigma,
         sigma_source=noise.source,
         chi2_per_dof=final.chi2_per_dof,
         friction=_of_friction(session, fits),

@@ -165,7 +165,7 @@ def _constants(robot: Robot) -> tuple[float, ...] | None:
 
 def _with_clock(found: InMotion, clock: Alignment) -> InMotion:
     """Return an answer that tells how two clocks stand."""
-    own: tuple[InertialParameter, ...] = tuple(InertialParameter(**dict(p.written())) for p in clock.parameters)
+    own: tuple[InertialParameter, ...] = tuple(InertialParameter(**vars(p)) for p in clock.parameters)
     return found.replace(parameters=(*found.parameters, *own))
 
 

@@ -167,8 +167,8 @@ class Session:
             chi2 = float(sum(parts)) / max(free, 1)
         return Left(
             model=model,
-            **self.in_unit("train_rms", self.together(fits, lambda f: f.left)),
-            **self.in_unit("heldout_rms", self.together(fits, lambda f: f.held_out)),
+            train_rms=self.together(fits, lambda f: f.left),
+            heldout_rms=self.together(fits, lambda f: f.held_out),
             train_rms_by_joint=train,
             heldout_rms_by_joint=held,
             heldout_rms_by_joint_filtered=filtered,
@@ -183,10 +183,6 @@ class Session:
         every = np.concatenate([value(f) / f.joint.readout.inside for f in fits])
         every = every[np.isfinite(every)]
         return float(np.sqrt(np.mean(every**2))) if len(every) else None
-
-    def in_unit(self, name: str, value: float | None) -> dict[str, Any]:
-        """Return a field of an answer by its name and the unit of the readings."""
-        return {} if value is None else {f"{name}_{self.given.units[0]}": value}
 
     def declared(self, fit: Fit) -> float | None:
         """Return the noise of a joint's readings as declared, with what its joints' own adds, in units inside."""
@@ -246,7 +242,7 @@ class Session:
         known = [s for s in by_joint if s is not None]
         one = float(np.sqrt(np.mean(np.square(known)))) if len(set(self.given.units)) == 1 else None
         return MotionNoise(
-            **self.in_unit("sigma", one),
+            sigma=one,
             sigma_by_joint=by_joint,
             unit_by_joint=self.given.units,
             source=Source.DECLARED if any(said) else Source.RESIDUAL,

@@ -42,7 +42,7 @@ def told(session: Session, found: Mapping[int, Lawful]) -> tuple[TorqueLaw, ...]
             terms=tuple(term for law in each for term in _terms(session, law)),
             states=tuple(limits),
             range=limits,
-            **session.in_unit("heldout_rms", together),
+            heldout_rms=together,
             heldout_rms_by_joint=heldout,
             unit_by_joint=units,
             share_of_excess=float(np.mean([law.share for law in each])),

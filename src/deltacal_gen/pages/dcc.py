@@ -167,7 +167,7 @@ def _figures(found: Certificate) -> Iterable[tuple[str, list[Quantity]]]:
     )
     for norm, answer in (("ISO 9283", found.iso9283), ("ISO 230-2", found.iso230)):
         if answer is not None:
-            told = ((k, v) for k, v in answer.written() if k.endswith("_mm"))
+            told = ((k, v) for k, v in answer.to_dict().items() if k.endswith("_mm"))
             yield norm, [(key.removesuffix("_mm"), value, "mm", None) for key, value in told]
 
 

@@ -31,7 +31,7 @@ from deltacal_gen.physics.channels import Channels
 from deltacal_gen.physics.reading import reading_shift
 from deltacal_gen.physics.terms import term_of
 from deltacal_gen.results.base import shown_in
-from deltacal_gen.results.batch import Done
+from deltacal_gen.results.batch import Row
 from deltacal_gen.results.diagnosis import Baseline, Diagnosis, Effect, Final, Hint, Verdict
 from deltacal_gen.results.parts import EffectName
 from deltacal_gen.results.result import Result, Status
@@ -500,7 +500,7 @@ def scatter(axes: Axes, found: Study) -> None:
     axes.legend(frameon=False, fontsize=8)
 
 
-def fleet(axes: Axes, rows: Sequence[Done]) -> None:
+def fleet(axes: Axes, rows: Sequence[Row]) -> None:
     """Draw the errors of many recordings before and after, one line each."""
     for k, row in enumerate(rows):
         if row.before_mm and row.after_mm:
@@ -516,7 +516,7 @@ def fleet(axes: Axes, rows: Sequence[Done]) -> None:
     axes.set_xlabel("error before (red) and after (blue), mm")
 
 
-def fleet_distribution(axes: Axes, rows: Sequence[Done]) -> None:
+def fleet_distribution(axes: Axes, rows: Sequence[Row]) -> None:
     """Draw which share of many recordings has an error below a given one, before and after."""
     before, after = [r.before_mm for r in rows], [r.after_mm for r in rows]
     for values, color, words in ((before, BEFORE, "before"), (after, AFTER, "after")):

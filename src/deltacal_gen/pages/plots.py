@@ -11,7 +11,7 @@ from deltacal_gen.errors import UsageError
 from deltacal_gen.pages import figures, validation
 from deltacal_gen.pages.figures import AFTER, MUTED, STYLE, Sheet, mpl
 from deltacal_gen.results.base import Answer
-from deltacal_gen.results.batch import Batch, DrivesRow, FailedRow
+from deltacal_gen.results.batch import Batch
 from deltacal_gen.results.comparison import Change, Comparison
 from deltacal_gen.results.diagnosis import Diagnosis
 from deltacal_gen.results.plan import Plan
@@ -109,7 +109,7 @@ def _study(found: Study) -> Sheet:
 
 
 def _batch(found: Batch) -> Sheet:
-    done = [row for row in found.rows if not isinstance(row, FailedRow | DrivesRow)]
+    done = [row for row in found.rows if row.in_mm]
     if not done:
         raise UsageError("there is nothing to draw: no recording at rest was done.")
     figure, axes = figures.sheet(1, 1, (7.4, 0.8 + 0.16 * len(done)))

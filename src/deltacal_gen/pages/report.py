@@ -29,7 +29,7 @@ from deltacal_gen.pages.left import Left, in_order, places, spread
 from deltacal_gen.physics.law import ADVICE as LAW_ADVICE
 from deltacal_gen.physics.terms import load_effect, of_the_instrument
 from deltacal_gen.results.base import shown_in
-from deltacal_gen.results.batch import Batch, DrivesRow, FailedRow, alike, in_table, worst
+from deltacal_gen.results.batch import Batch, alike, in_table, worst
 from deltacal_gen.results.diagnosis import (
     Baseline,
     Diagnosis,
@@ -138,10 +138,10 @@ def batch(found: Batch, links: Mapping[str, str] | None = None) -> str:
 
     `links` says where the pages of single recordings are.
     """
-    rows, failed = found.rows, [r for r in found.rows if isinstance(r, FailedRow)]
+    rows, failed = found.rows, [r for r in found.rows if r.error is not None]
     columns = found.columns
-    done = [r for r in rows if not isinstance(r, FailedRow)]
-    drawn = [r for r in done if not isinstance(r, DrivesRow)]  # all in one unit
+    done = [r for r in rows if r.error is None]
+    drawn = [r for r in done if r.in_mm]  # all in one unit
     picture = ""
     if len(drawn) > MOST_DRAWN:
         picture = _svg(partial(figures.fleet_distribution, rows=drawn), (7.4, 3.2))
@@ -156,14 +156,11 @@ def batch(found: Batch, links: Mapping[str, str] | None = None) -> str:
         headline=f"{len(done)} of {len(rows)} recordings done",
         picture=picture,
         distribution=len(drawn) > MOST_DRAWN,
-        failed=[both[::-1] for both in alike([(r.recording, r.error) for r in failed])[:MOST_ROWS]],
+        failed=[both[::-1] for both in alike([(r.recording, r.error or "") for r in failed])[:MOST_ROWS]],
         warnings=[both[::-1] for both in alike([(r.recording, r.warnings) for r in rows if r.warnings])[:MOST_ROWS]],
         changed=changed[:MOST_ROWS],
         heads=[spaced(c).removesuffix(" mm") + (", mm" if c.endswith("_mm") else "") for c in columns],
-        rows=[
-            [(c, _cell(getattr(r, c, FAILED.get(c) if isinstance(r, FailedRow) else None))) for c in columns]
-            for r in shown
-        ],
+        rows=[[(c, _cell((FAILED if r.error else {}).get(c, getattr(r, c)))) for c in columns] for r in shown],
         links=links or {},
         passed_over=found.passed_over or (),
         left_out=len(rows) - len(shown),

@@ -62,7 +62,7 @@ def _norm(
 ) -> list[tuple[str, list[tuple[str, str]], str, str]]:
     if answer is None:
         return []
-    written = dict(answer.written())
+    written = answer.to_dict()
     rows = [(words, decimals(written[key])) for key, words in names.items() if key in written]
     return [(title.format(answer.poses), rows, f"{answer.note[:1].upper()}{answer.note[1:]}.", picture)]
 

@@ -129,7 +129,7 @@ class Study:
         p = self.poses
         arrays = (p.joints, p.targets, p.tool, p.setup, p.pairs, p.pose, *p.channels.values())
         return content_key(
-            results.Study.schema,
+            results.Study.named(),
             robot_to_dict(self.robot),
             p.kind,
             dataclasses.asdict(p.measurement),

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import Any, ClassVar, Literal
+from typing import Any, Literal
 
 from deltacal_gen.results.base import Answer, Value
-from deltacal_gen.results.document import MOST_ROWS, Document, Table, Text, number, some
+from deltacal_gen.results.document import MOST_ROWS, Document, Table, Text, columns, number, some
 
 Action = Literal["diagnose", "identify", "validate"]
 ASIDE = ("machine", "error", "warnings")  # of a row, told apart from the table
@@ -14,104 +14,35 @@ ByJoint = tuple[float | None, ...]
 FEW = 3  # recordings that are named where many have the same to say
 
 
-class FailedRow(Value):
-    """A recording that could not be done, and why."""
+class Row(Value):
+    """A recording's line of the table: figures in mm, or joint by joint of one in motion (kind torque)."""
 
     recording: str
     machine: str
-    error: str
-
-    warnings: ClassVar[None] = None
-
-
-class DiagnosedRow(Value):
-    """A recording's line of the table."""
-
-    recording: str
-    machine: str
-    verdict: str
-    effects: str
-    model: str
-    before_mm: float | None
-    after_mm: float | None
-    noise_mm: float
-    error: None
-    warnings: str | None = None
+    verdict: str | None = None
+    effects: str | None = None
     law: str | None = None
-
-
-class IdentifiedRow(Value):
-    """A recording's line of the table."""
-
-    recording: str
-    machine: str
-    model: str
-    before_mm: float
-    after_mm: float | None
-    fitted_mm: float
-    noise_mm: float
-    error: None
+    model: str | None = None
+    before_mm: float | None = None
+    after_mm: float | None = None
+    fitted_mm: float | None = None
+    worst_mm: float | None = None
+    noise_mm: float | None = None
+    unit_by_joint: tuple[str, ...] | None = None
+    before_by_joint: ByJoint | None = None
+    after_by_joint: ByJoint | None = None
+    fitted_by_joint: ByJoint | None = None
+    noise_by_joint: ByJoint | None = None
+    readings: int | None = None
+    chi2_per_dof: float | None = None
+    error: str | None
+    """Why it could not be done; null where it was."""
     warnings: str | None = None
 
-
-class ValidatedRow(Value):
-    """A recording's line of the table."""
-
-    recording: str
-    machine: str
-    after_mm: float
-    worst_mm: float
-    chi2_per_dof: float | None
-    error: None
-    warnings: str | None = None
-
-    before_mm: ClassVar[None] = None
-
-
-class DrivesRow(Value):
-    """A line of a recording in motion (kind torque): figures joint by joint, null of one that did not move."""
-
-    recording: str
-    machine: str
-    unit_by_joint: tuple[str, ...]
-    error: None
-    warnings: str | None = None
-
-    before_mm: ClassVar[None] = None
-    after_mm: ClassVar[None] = None
-
-
-class DiagnosedDrivesRow(DrivesRow):
-    """A recording's line of the table."""
-
-    verdict: str
-    effects: str
-    model: str
-    before_by_joint: ByJoint
-    after_by_joint: ByJoint
-    noise_by_joint: ByJoint
-    law: str | None = None
-
-
-class IdentifiedDrivesRow(DrivesRow):
-    """A recording's line of the table."""
-
-    model: str
-    after_by_joint: ByJoint
-    fitted_by_joint: ByJoint
-    noise_by_joint: ByJoint
-
-
-class ValidatedDrivesRow(DrivesRow):
-    """A recording's line of the table."""
-
-    after_by_joint: ByJoint
-    readings: int
-    chi2_per_dof: float | None
-
-
-Done = DiagnosedRow | IdentifiedRow | ValidatedRow | DiagnosedDrivesRow | IdentifiedDrivesRow | ValidatedDrivesRow
-Row = Done | FailedRow
+    @property
+    def in_mm(self) -> bool:
+        """Whether it was done and its figures are lengths."""
+        return self.error is None and self.unit_by_joint is None
 
 
 class Moved(Value):
@@ -126,7 +57,7 @@ class Moved(Value):
 class Batch(Answer):
     """Many recordings: one row each, in the order of their paths, and what moved."""
 
-    schema: Literal["deltacal.batch/1"] = "deltacal.batch/1"
+    schema_: Literal["deltacal.batch/1"] = "deltacal.batch/1"
     action: Action
     rows: tuple[Row, ...]
     changed: tuple[Moved, ...]
@@ -146,14 +77,15 @@ class Batch(Answer):
     @property
     def columns(self) -> list[str]:
         """The keys of its table."""
-        return [c for c in dict.fromkeys(k for r in self.rows for k, _ in r.written()) if c not in ASIDE]
+        found = columns([row.to_dict() for row in self.rows])
+        return [c for c in found if c not in ASIDE]
 
     def document(self) -> Document:
         """Yield a row for each recording, what moved, common laws, failures and warnings."""
-        columns, rows = self.columns, self.rows
-        cells = ([getattr(r, c, None) for c in columns] for r in worst(rows, MOST_ROWS))
+        head, rows = self.columns, self.rows
+        cells = ([getattr(r, c) for c in head] for r in worst(rows, MOST_ROWS))
         shown = [tuple(number(c) if isinstance(c, float) else str(in_table(c)) for c in row) for row in cells]
-        yield Table(tuple(c.replace("_", " ") for c in columns), shown)
+        yield Table(tuple(c.replace("_", " ") for c in head), shown)
         if len(rows) > MOST_ROWS:
             yield Text(f"These are the {MOST_ROWS} with the largest errors.")
         yield from (Text(f" after {c.from_}: {c.text}", c.to) for c in self.changed[:MOST_ROWS])
@@ -171,20 +103,12 @@ class Batch(Answer):
         done = sum(r.error is None for r in self.rows)
         yield Text(f"{done} of {len(self.rows)} recordings done")
 
-    def summary(self) -> str:
-        """Return the answer as text, as `print` shows it."""
-        return str(self)
-
-
-def _listed(names: Sequence[str]) -> str:
-    return some(names, FEW)
-
 
 def worst(rows: Sequence[Row], most: int) -> list[Row]:
     """Return the rows of a batch, in their order; of too many, those with the largest errors first."""
     if len(rows) <= most:
         return list(rows)
-    done = [r for r in rows if not isinstance(r, FailedRow)]
+    done = [r for r in rows if r.error is None]
     return [*sorted(done, key=lambda r: -(r.after_mm or 0.0))[:most]]
 
 
@@ -200,4 +124,4 @@ def alike(said: Sequence[tuple[str, str]]) -> list[tuple[str, str]]:
     by_text: dict[str, list[str]] = {}
     for name, text in said:
         by_text.setdefault(text, []).append(name)
-    return [(_listed(names), text) for text, names in by_text.items()]
+    return [(some(names, FEW), text) for text, names in by_text.items()]

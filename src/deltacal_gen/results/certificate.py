@@ -76,7 +76,7 @@ class Condition(Value):
 class Certificate(Answer):
     """What is certified of a machine: its errors before and after, and how surely they are known."""
 
-    schema: Literal["deltacal.certificate/1"] = "deltacal.certificate/1"
+    schema_: Literal["deltacal.certificate/1"] = "deltacal.certificate/1"
     identifier: str
     machine: str
     mechanism: str

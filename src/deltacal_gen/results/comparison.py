@@ -39,7 +39,7 @@ class Moved(Value):
 class Comparison(Answer):
     """What changed between two sessions of one machine."""
 
-    schema: Literal["deltacal.comparison/1"] = "deltacal.comparison/1"
+    schema_: Literal["deltacal.comparison/1"] = "deltacal.comparison/1"
     summary: str
     moved: Moved | None
     """Null of a machine whose file says no workspace."""

@@ -39,7 +39,7 @@ class Check(Value):
 class Demo(Answer):
     """The main job end to end."""
 
-    schema: Literal["deltacal.demo/2"] = "deltacal.demo/2"
+    schema_: Literal["deltacal.demo/2"] = "deltacal.demo/2"
     result: Result
     diagnosis: Diagnosis
     truth: tuple[Concealed, ...]

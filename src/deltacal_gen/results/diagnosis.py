@@ -372,7 +372,7 @@ class Geometry(Value):
 class Diagnosis(Answer):
     """Where model and recording differ and which physics was left out: contract, section 4."""
 
-    schema: Literal["deltacal.diagnosis/1"] = "deltacal.diagnosis/1"
+    schema_: Literal["deltacal.diagnosis/1"] = "deltacal.diagnosis/1"
     verdict: Verdict
     summary: str
     """One paragraph that a maintenance engineer can act on."""

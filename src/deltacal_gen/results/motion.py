@@ -7,9 +7,11 @@ tells them apart.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import Literal
+from typing import Any, Literal
 
-from deltacal_gen.results.base import Answer, Column, Numbers, Value
+from pydantic import AliasChoices, Field
+
+from deltacal_gen.results.base import Answer, Column, Json, Numbers, Value
 from deltacal_gen.results.diagnosis import (
     Effect,
     EffectParameter,
@@ -25,10 +27,29 @@ from deltacal_gen.results.document import Document, Text
 from deltacal_gen.results.parts import SEEN, Made, Missing, RobotTables, Source, put_right
 from deltacal_gen.results.result import OpenCombination, Parameter, Read, Regularisation
 
+UNITS = ("Nm", "N", "A", "1")  # of what drives give
+TOGETHER = ("train_rms", "heldout_rms", "sigma", "rms")  # keys that end in one of these
 ByJoint = tuple[float | None, ...]  # null of a joint that does not move in the recording
 
 
-class Left(Value):
+def together(name: str) -> Any:
+    """Return the field of a figure of all joints together, in their one unit, in which its key ends."""
+    return Field(default=None, validation_alias=AliasChoices(*(f"{name}_{unit}" for unit in UNITS)))
+
+
+class OfJoints(Value):
+    """Figures of joints, and of all together where all are read in one unit."""
+
+    def _keys(self, found: Json) -> Json:
+        unit = self._units[0] if self._units else ""
+        return {f"{key}_{unit}" if key in TOGETHER else key: value for key, value in found.items()}
+
+    @property
+    def _units(self) -> tuple[str, ...]:
+        return getattr(self, "unit_by_joint", ())
+
+
+class Left(OfJoints):
     """What a model leaves of the readings of samples in motion, all joints together and joint by joint.
 
     Together only where all joints are read in one unit. `_by_joint` are in `unit_by_joint`; `_filtered` are of readings
@@ -36,14 +57,8 @@ class Left(Value):
     """
 
     model: str | None = None
-    train_rms_Nm: float | None = None
-    train_rms_N: float | None = None
-    train_rms_A: float | None = None
-    train_rms_1: float | None = None
-    heldout_rms_Nm: float | None = None
-    heldout_rms_N: float | None = None
-    heldout_rms_A: float | None = None
-    heldout_rms_1: float | None = None
+    train_rms: float | None = together("train_rms")
+    heldout_rms: float | None = together("heldout_rms")
     train_rms_by_joint: ByJoint
     heldout_rms_by_joint: ByJoint
     heldout_rms_by_joint_filtered: ByJoint
@@ -52,13 +67,10 @@ class Left(Value):
     """Where the noise is declared."""
 
 
-class MotionNoise(Value):
+class MotionNoise(OfJoints):
     """Noise of single readings."""
 
-    sigma_Nm: float | None = None
-    sigma_N: float | None = None
-    sigma_A: float | None = None
-    sigma_1: float | None = None
+    sigma: float | None = together("sigma")
     sigma_by_joint: ByJoint
     unit_by_joint: tuple[str, ...]
     source: Source
@@ -264,34 +276,29 @@ class MotionModel(Answer):
         yield from map(Text, put_right(self.motion.repairs))
 
 
-class MotionResult(MotionModel):
+class MotionResult(MotionModel, OfJoints):
     """The rigid machine in motion: contract, second part, section 8."""
 
-    schema: Literal["deltacal.result/1"] = "deltacal.result/1"
+    schema_: Literal["deltacal.result/1"] = "deltacal.result/1"
     model: str
     next_measurements: tuple[NextMeasurement, ...]
     regularisation: Regularisation
     readings: Read
     noise: MotionNoise
     final: Left
-    train_rms_Nm: float | None = None
-    train_rms_N: float | None = None
-    train_rms_A: float | None = None
-    train_rms_1: float | None = None
-    heldout_rms_Nm: float | None = None
-    heldout_rms_N: float | None = None
-    heldout_rms_A: float | None = None
-    heldout_rms_1: float | None = None
-    sigma_Nm: float | None = None
-    sigma_N: float | None = None
-    sigma_A: float | None = None
-    sigma_1: float | None = None
+    train_rms: float | None = together("train_rms")
+    heldout_rms: float | None = together("heldout_rms")
+    sigma: float | None = together("sigma")
     sigma_source: Source
     chi2_per_dof: float | None
     friction: str | None = None
     """What friction, which is no part of the model, does to its parameters: where there is some."""
     doubts: tuple[str, ...] | None = None
     """Why the readings may not be of this machine."""
+
+    @property
+    def _units(self) -> tuple[str, ...]:
+        return self.final.unit_by_joint
 
     @property
     def headline(self) -> str:
@@ -317,23 +324,18 @@ class TorqueEffect(Effect):
     """
 
 
-class TorqueRejected(Rejected):
+class TorqueRejected(Rejected, OfJoints):
     """An effect that was looked at and not named, with what would be left of held-out samples with it."""
 
-    heldout_rms_Nm: float | None = None
-    heldout_rms_N: float | None = None
-    heldout_rms_A: float | None = None
-    heldout_rms_1: float | None = None
+    heldout_rms: float | None = together("heldout_rms")
     heldout_rms_by_joint: ByJoint
+    unit_by_joint: tuple[str, ...] = ()
 
 
-class TorqueLaw(LawOf):
+class TorqueLaw(LawOf, OfJoints):
     """A law of drives; held-out figures joint by joint are in `unit_by_joint`, null where the joint has no law."""
 
-    heldout_rms_Nm: float | None = None
-    heldout_rms_N: float | None = None
-    heldout_rms_A: float | None = None
-    heldout_rms_1: float | None = None
+    heldout_rms: float | None = together("heldout_rms")
     heldout_rms_by_joint: ByJoint
     unit_by_joint: tuple[str, ...]
 
@@ -341,7 +343,7 @@ class TorqueLaw(LawOf):
 class MotionDiagnosis(MotionModel):
     """Which friction and relatives of it a machine in motion has: contract, second part, section 8."""
 
-    schema: Literal["deltacal.diagnosis/1"] = "deltacal.diagnosis/1"
+    schema_: Literal["deltacal.diagnosis/1"] = "deltacal.diagnosis/1"
     verdict: Verdict
     summary: str
     noise: MotionNoise
@@ -384,16 +386,13 @@ class Worst(Value):
     unit: str
 
 
-class MotionValidation(Answer):
+class MotionValidation(Answer, OfJoints):
     """The error of a model on samples in motion that it has not seen."""
 
-    schema: Literal["deltacal.validation/1"] = "deltacal.validation/1"
+    schema_: Literal["deltacal.validation/1"] = "deltacal.validation/1"
     kind: Literal["torque"]
     readings: int
-    rms_Nm: float | None = None
-    rms_N: float | None = None
-    rms_A: float | None = None
-    rms_1: float | None = None
+    rms: float | None = together("rms")
     rms_by_joint: ByJoint
     rms_by_joint_filtered: ByJoint
     unit_by_joint: tuple[str, ...]

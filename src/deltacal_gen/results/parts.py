@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from enum import StrEnum
-from typing import Any, ClassVar, Literal
+from typing import Any, Literal
 
 from deltacal_gen.results.base import Numbers, Rows, Value, Vector
 from deltacal_gen.results.document import decimals
@@ -30,7 +30,7 @@ class Named(Value):
     mechanism: str
 
 
-class RobotTables(Value, closed=True):
+class RobotTables(Value, extra="forbid"):
     """The tables of a complete robot file [mm, deg]."""
 
     robot: Named
@@ -89,18 +89,34 @@ class InstrumentState(Value):
     """Of the readings, where they stand in fewer than their kind has: one coordinate alone."""
 
 
-class MachineState(Value):
+class Undiagnosed(Value):
+    """What only a diagnosis knows, for those who read a machine whoever found it."""
+
+    @property
+    def correction(self) -> None:
+        """No smooth correction."""
+
+    @property
+    def clock(self) -> Literal["time_s", "row"]:
+        """Moments are found by the time."""
+        return "time_s"
+
+    @property
+    def poses(self) -> None:
+        """No numbers of poses."""
+
+
+class MachineState(Undiagnosed):
     """A machine with what acts on it and the instrument that saw it."""
 
     robot: RobotTables
     physics: tuple[TermState, ...]
     instrument: InstrumentState
 
-    # what only a diagnosis knows, for those who read either
-    correction: ClassVar[None] = None
-    clock: ClassVar[Literal["time_s", "row"]] = "time_s"
-    poses: ClassVar[None] = None
-    begun_s: ClassVar[float] = 0.0
+    @property
+    def begun_s(self) -> float:
+        """From when effects count the time [s]."""
+        return 0.0
 
 
 class Missing(Value):

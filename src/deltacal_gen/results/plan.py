@@ -42,7 +42,7 @@ class Expected(Value):
 class Plan(Answer):
     """Measuring poses and how they were chosen. Figures stand set by set; null stands for what is infinite."""
 
-    schema: Literal["deltacal.plan/1"] = "deltacal.plan/1"
+    schema_: Literal["deltacal.plan/1"] = "deltacal.plan/1"
     robot: str
     mechanism: str
     model: str
@@ -110,10 +110,6 @@ class Plan(Answer):
             yield Text(f"and {len(notes) - MOST_NOTES} more poses likewise", level=1)
         yield Text(f"chosen: {self.chosen}, {len(self.poses)} poses")
 
-    def summary(self) -> str:
-        """Return the answer as text, as `print` shows it."""
-        return str(self)
-
 
 class Visit(Value):
     """A row to be measured: joints under the key of their unit, and from which side each of them comes."""
@@ -129,7 +125,7 @@ class Visit(Value):
 class CyclePlan(Answer):
     """Joints that are gone through from both sides: one axis in cycles, or joints behind second encoders."""
 
-    schema: Literal["deltacal.cycles/1"] = "deltacal.cycles/1"
+    schema_: Literal["deltacal.cycles/1"] = "deltacal.cycles/1"
     robot: str
     mechanism: str
     kind: str

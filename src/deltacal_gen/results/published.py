@@ -14,8 +14,10 @@ import sys
 from pathlib import Path
 from typing import Any, get_args
 
+from pydantic import AliasChoices
+
 from deltacal_gen.results.base import Value, key_of
-from deltacal_gen.results.reader import ANSWERS, checker, types_of
+from deltacal_gen.results.reader import ANSWERS, types_of
 
 FOLDER = Path(__file__).parent / "schemas"
 DRAFT = "https://json-schema.org/draft/2020-12/schema"
@@ -36,24 +38,22 @@ def schema_of(schema: str) -> dict[str, Any]:
     tops: list[dict[str, Any]] = []
     every: dict[str, Any] = {}
     for top in types_of(schema):
-        made = checker(top).json_schema()
-        parts = made.pop("$defs", {})
-        if "$ref" in made:
-            made = parts.pop(top.__name__)
-        kinds = _kinds(top)
-        every |= {name: _described(part, kinds[name]) for name, part in parts.items()}
-        tops.append(_described(made, top))
+        made = top.model_json_schema()
+        parts = {**made.pop("$defs", {}), top.__name__: made}
+        described = {name: _described(parts[name], kind) for name, kind in kinds_in(top).items() if name in parts}
+        tops.append(described.pop(top.__name__))
+        every |= {name: described.get(name, _untitled(part)) for name, part in parts.items() if name != top.__name__}
     whole = tops[0] if len(tops) == 1 else {"anyOf": tops}
     return {"$schema": DRAFT, "$id": schema, **whole, **({"$defs": dict(sorted(every.items()))} if every else {})}
 
 
-def _kinds(top: Any) -> dict[str, type]:
+def kinds_in(top: Any) -> dict[str, type]:
     """Return all types that a type is made of, by their names."""
     if not isinstance(top, type):
-        return {name: kind for part in get_args(top) for name, kind in _kinds(part).items()}
+        return {name: kind for part in get_args(top) for name, kind in kinds_in(part).items()}
     found: dict[str, type] = {top.__name__: top}
-    for hint in top.types().values() if issubclass(top, Value) else ():
-        found |= _kinds(hint)
+    for field in top.model_fields.values() if issubclass(top, Value) else ():
+        found |= kinds_in(field.annotation)
     return found
 
 
@@ -61,24 +61,39 @@ def _described(part: dict[str, Any], kind: type) -> dict[str, Any]:
     """Return a part of a schema with the words of its type and of its fields, without pydantic's titles."""
     told = {"description": inspect.cleandoc(kind.__doc__ or "")}
     said = _said(kind)
-    keys = {name: _untitled(key) | said.get(name, {}) for name, key in part.get("properties", {}).items()}
-    return told | _untitled(part) | ({"properties": keys} if keys else {})
+    keys: dict[str, Any] = {}
+    for name, field in kind.model_fields.items() if issubclass(kind, Value) else ():
+        own = field.validation_alias
+        choices = own.choices if isinstance(own, AliasChoices) else [key_of(name)]
+        keys |= {str(c): _untitled(_present(part["properties"][choices[0]])) | said.get(name, {}) for c in choices}
+    out = told | _untitled(part) | ({"properties": keys} if keys else {})
+    if "schema" in keys:
+        out["required"] = [name for name in keys if name in ("schema", *out["required"])]
+    return out
+
+
+def _present(key: dict[str, Any]) -> dict[str, Any]:
+    """Return the schema of a field whose default is null as it is written, which it is where it is not null."""
+    if "default" not in key or key["default"] is not None:
+        return key
+    some = [part for part in key["anyOf"] if part != {"type": "null"}]
+    return some[0] if len(some) == 1 else {"anyOf": some}
 
 
 def _untitled(part: dict[str, Any]) -> dict[str, Any]:
-    return {key: value for key, value in part.items() if key not in ("title", "description")}
+    return {key: value for key, value in part.items() if key not in ("title", "description", "default")}
 
 
 @functools.cache
 def _said(kind: type) -> dict[str, dict[str, str]]:
-    """Return what stands as text below the fields of a type, by their keys."""
+    """Return what stands as text below the fields of a type, by their names."""
     body = ast.parse(inspect.getsource(kind)).body[0]
     assert isinstance(body, ast.ClassDef)
     found = {}
     for field, below in zip(body.body, body.body[1:], strict=False):
         match field, below:
             case ast.AnnAssign(target=ast.Name(id=name)), ast.Expr(value=ast.Constant(value=str(text))):
-                found[key_of(name)] = {"description": inspect.cleandoc(text)}
+                found[name] = {"description": inspect.cleandoc(text)}
     return found
 
 

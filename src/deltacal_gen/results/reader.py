@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-import functools
 import importlib
 import json
 import re
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, TypeVar, cast
+
+from pydantic import ValidationError
 
 from deltacal_gen.errors import InputError
 from deltacal_gen.results.base import Answer, Value, key_of, plain
@@ -73,14 +74,6 @@ def types_of(schema: str) -> tuple[type[Answer], ...]:
     return (type_of(schema), *([type_of(schema, in_motion=True)] if schema in IN_MOTION else []))
 
 
-@functools.cache
-def checker(kind: type[Value]) -> Any:
-    """Return what reads and checks answers of a type, or parts of them: pydantic's adapter of it."""
-    from pydantic import TypeAdapter
-
-    return TypeAdapter(kind)
-
-
 def read_result(source: Given) -> Result | Diagnosis | MotionResult | MotionDiagnosis:
     """Return what `identify` or `diagnose` found, from its file, its JSON or as it is.
 
@@ -131,7 +124,10 @@ def read_answer(source: Given, schemas: tuple[str, ...] = (*ANSWERS,), kind: str
     if schema not in schemas:
         raise refused.error(schema, schemas)
     moves = schema in IN_MOTION and data.get("kind") in KINDS_IN_MOTION
-    return _checked(type_of(str(schema), in_motion=moves), text, refused)
+    try:
+        return type_of(str(schema), in_motion=moves).model_validate_json(text, strict=True)
+    except ValidationError as error:
+        raise refused.flaw(error.errors(include_url=False)[0]) from None
 
 
 def _text(file: Path) -> str:
@@ -143,16 +139,6 @@ def _text(file: Path) -> str:
         raise InputError("this is not text.", "Save it as UTF-8.", file=file) from None
     except OSError as error:
         raise InputError(f"cannot be read: {error.strerror}.", "Look at the file.", file=file) from None
-
-
-def _checked(kind: type[Answer], text: str, refused: _Refused) -> Answer:
-    from pydantic import ValidationError
-
-    try:
-        found: Answer = checker(kind).validate_json(text)
-    except ValidationError as error:
-        raise refused.flaw(error.errors(include_url=False)[0]) from None
-    return found
 
 
 class _Refused:

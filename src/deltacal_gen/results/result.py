@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from enum import StrEnum
-from typing import ClassVar, Literal
+from typing import Literal
 
 from deltacal_gen.results.base import Answer, Numbers, Value, shown_in
 from deltacal_gen.results.document import Document, Table, Text, decimals, number, rounded
@@ -19,6 +19,7 @@ from deltacal_gen.results.parts import (
     Source,
     TermState,
     Uncertainty,
+    Undiagnosed,
     needless,
     put_right,
 )
@@ -170,10 +171,10 @@ class Firmware(Value):
     """Of that machine, actual minus robot file [mm, deg]."""
 
 
-class Result(Answer):
+class Result(Answer, Undiagnosed):
     """What a recording says of a machine: contract, section 6."""
 
-    schema: Literal["deltacal.result/1"] = "deltacal.result/1"
+    schema_: Literal["deltacal.result/1"] = "deltacal.result/1"
     model: str
     parameters: tuple[Parameter, ...]
     """All source errors of the mechanism, in the order of its table; then what is unknown of the instrument by name."""
@@ -232,11 +233,9 @@ class Result(Answer):
     """From when effects count the time [s]: 0, or the first reading where stamps count from long before it."""
     made: Made | None = None
 
-    # what only a diagnosis knows, for those who read either
-    correction: ClassVar[None] = None
-    seen: ClassVar[None] = None
-    clock: ClassVar[Literal["time_s", "row"]] = "time_s"
-    poses: ClassVar[None] = None
+    @property
+    def seen(self) -> None:
+        """No joints with a periodic error of its own."""
 
     @property
     def headline(self) -> str:
@@ -330,10 +329,6 @@ class Result(Answer):
                 f"standard uncertainty of the tool position over the workspace: median {w.median_mm:.3f} mm, largest "
                 f"{w.worst_mm:.3f} mm"
             )
-
-    def summary(self) -> str:
-        """Return the answer as text, as `print` shows it."""
-        return str(self)
 
 
 def _value(p: Parameter) -> tuple[str, str]:

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import Any, Literal
+from typing import Literal
 
-from deltacal_gen.results.base import Answer, Counts, Numbers, Value, shown_in
+from deltacal_gen.results.base import Answer, Counts, Json, Numbers, Value, shown_in
 from deltacal_gen.results.document import Document, Table, Text, number
 from deltacal_gen.results.parts import EffectName, Missing, RobotTables
 from deltacal_gen.results.places import Places
@@ -124,7 +124,7 @@ class Study(Answer):
     """What a measuring plan will give."""
 
     model: str
-    schema: Literal["deltacal.study/1"] = "deltacal.study/1"
+    schema_: Literal["deltacal.study/1"] = "deltacal.study/1"
     robot: RobotTables
     kind: str
     readings: int
@@ -148,12 +148,10 @@ class Study(Answer):
     channels_wanted: tuple[Missing, ...]
     advice: Advice | None
 
-    def written(self) -> Iterator[tuple[str, Any]]:
-        """Yield key and value of all that is written; the noise in the unit of the readings too."""
-        for key, value in super(Answer, self).written():
-            yield key, value
-            if key == "sigma_mm" and self.unit is not None:
-                yield f"sigma_{self.unit}", self.noise
+    def to_dict(self, only: set[str] | None = None) -> Json:
+        """Return the JSON; the noise stands in the unit of the readings too, positions in mm alone."""
+        found = self.model_dump(mode="json", by_alias=True, include=only)
+        return found if self.unit is None else found | {f"sigma_{self.unit}": self.noise}
 
     @property
     def noise(self) -> float:
@@ -202,7 +200,3 @@ class Study(Answer):
         yield from (Text(f"{g.add}: {g.gain:.0%} less") for g in advice.add)
         if self.lost:
             yield Text(f"{self.lost} machines could not be simulated or calibrated, and are not counted")
-
-    def summary(self) -> str:
-        """Return the answer as text, as `print` shows it."""
-        return str(self)

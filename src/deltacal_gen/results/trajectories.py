@@ -24,7 +24,7 @@ class JointSeries(Value):
 class MotionPlan(Answer):
     """PLAN.json of kind torque: exciting trajectories. Figures stand run by run, each with those before it."""
 
-    schema: Literal["deltacal.plan/1"] = "deltacal.plan/1"
+    schema_: Literal["deltacal.plan/1"] = "deltacal.plan/1"
     robot: str
     mechanism: str
     model: str
@@ -69,7 +69,3 @@ class MotionPlan(Answer):
         rows = [(str(n), str(readings), *map(number, figures)) for n, readings, *figures in each]
         yield Table(("runs", "readings", "condition", "O1", "O3"), rows)
         yield from (Text(note, level=1) for note in self.notes)
-
-    def summary(self) -> str:
-        """Return the answer as text."""
-        return self.headline

@@ -123,7 +123,7 @@ class Apart(Value):
 class Validation(Answer):
     """The error of a calibrated or diagnosed model on readings that it has not seen."""
 
-    schema: Literal["deltacal.validation/1"] = "deltacal.validation/1"
+    schema_: Literal["deltacal.validation/1"] = "deltacal.validation/1"
     kind: str
     readings: int
     rms_mm: float
@@ -205,7 +205,3 @@ class Validation(Answer):
         if self.iso230 is not None:
             yield Text(self.iso230.words)
         yield from map(Text, put_right(self.repairs or ()))
-
-    def summary(self) -> str:
-        """Return the answer as text, as `print` shows it."""
-        return str(self)

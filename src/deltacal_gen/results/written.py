@@ -12,7 +12,7 @@ from deltacal_gen.results.document import Document, Table, Text, decimals, numbe
 class Simulated(Answer):
     """A recording of `simulate`."""
 
-    schema: Literal["deltacal.simulation/1"] = "deltacal.simulation/1"
+    schema_: Literal["deltacal.simulation/1"] = "deltacal.simulation/1"
     recording: str
     readings: int
     kind: str | None = None
@@ -29,7 +29,7 @@ class Simulated(Answer):
 class Matrix(Answer):
     """An identification matrix of `matrix`."""
 
-    schema: Literal["deltacal.matrix/1"] = "deltacal.matrix/1"
+    schema_: Literal["deltacal.matrix/1"] = "deltacal.matrix/1"
     file: str
     rows: int
     columns: int
@@ -115,7 +115,7 @@ class FirmwareLines(Value):
 class Joints(Answer):
     """Commands of `compensate`, in deg or mm."""
 
-    schema: Literal["deltacal.joints/1"] = "deltacal.joints/1"
+    schema_: Literal["deltacal.joints/1"] = "deltacal.joints/1"
     kind: str
     export: str | None
     joints: Rows
@@ -140,7 +140,7 @@ class Joints(Answer):
 class FedForward(Answer):
     """Commands of `compensate --trajectory`, sample by sample."""
 
-    schema: Literal["deltacal.feedforward/1"] = "deltacal.feedforward/1"
+    schema_: Literal["deltacal.feedforward/1"] = "deltacal.feedforward/1"
     columns: tuple[str, ...]
     """Of the file that is written."""
     joints: Rows
@@ -166,7 +166,7 @@ class FedForward(Answer):
 class Predicted(Answer):
     """Readings of `predict`."""
 
-    schema: Literal["deltacal.prediction/1"] = "deltacal.prediction/1"
+    schema_: Literal["deltacal.prediction/1"] = "deltacal.prediction/1"
     file: str
     kind: str | None = None
     readings: int
@@ -220,7 +220,7 @@ class Runs(Value):
 class Experiment(Answer):
     """Rows of `next`; of a machine in motion its runs, whose rows are in the file alone."""
 
-    schema: Literal["deltacal.next/1"] = "deltacal.next/1"
+    schema_: Literal["deltacal.next/1"] = "deltacal.next/1"
     file: str | None
     """Null where none was written."""
     poses: tuple[dict[str, float | str], ...]
@@ -245,7 +245,7 @@ class Experiment(Answer):
 class Imported(Answer):
     """What `import` made."""
 
-    schema: Literal["deltacal.import/1"] = "deltacal.import/1"
+    schema_: Literal["deltacal.import/1"] = "deltacal.import/1"
     folder: str
     robot: str | None
     recordings: tuple[str, ...]
@@ -261,7 +261,7 @@ class Imported(Answer):
 class Derivation(Answer):
     """Pages of `derivation`."""
 
-    schema: Literal["deltacal.derivation/1"] = "deltacal.derivation/1"
+    schema_: Literal["deltacal.derivation/1"] = "deltacal.derivation/1"
     files: tuple[str, ...]
 
     def document(self) -> Document:
@@ -272,7 +272,7 @@ class Derivation(Answer):
 class Reproduction(Answer):
     """Pages of `reproduce`."""
 
-    schema: Literal["deltacal.reproduction/1"] = "deltacal.reproduction/1"
+    schema_: Literal["deltacal.reproduction/1"] = "deltacal.reproduction/1"
     files: tuple[str, ...]
     remade: tuple[str, ...]
     """Tables and figures, by their numbers in the paper."""
@@ -285,7 +285,7 @@ class Reproduction(Answer):
 class Kernels(Answer):
     """What `kernels` did."""
 
-    schema: Literal["deltacal.kernels/1"] = "deltacal.kernels/1"
+    schema_: Literal["deltacal.kernels/1"] = "deltacal.kernels/1"
     done: bool
     """Whether the derivation went well, and under --check gave the committed kernels."""
     seconds: dict[str, float] | None = None
@@ -303,7 +303,7 @@ class Kernels(Answer):
 class Manual(Answer):
     """A page of `manual`, or the examples that it copied."""
 
-    schema: Literal["deltacal.manual/1"] = "deltacal.manual/1"
+    schema_: Literal["deltacal.manual/1"] = "deltacal.manual/1"
     topic: str
     text: str | None
     """Markdown; null where examples were copied and no topic was given."""
