@@ -17,8 +17,7 @@ from typing import Any
 
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.writing import write_files
-from deltacal_gen.pages import report
-from derive.review.sources import PAGES
+from derive.review import rendering
 
 
 def _tell(what: str) -> None:
@@ -48,7 +47,7 @@ def write_all_reports(folder: Path) -> list[str]:
         write_files(files)
         written += files
         done.append((one, found))
-    page = report.page_of("contents", PAGES, title="Derivations", **reports.index(done, ".html"))
+    page = rendering.page("contents", title="Derivations", **reports.index(done, ".html"))
     write_files({written[0]: page})
     return list(map(str, written))
 

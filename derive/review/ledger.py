@@ -23,8 +23,8 @@ from pydantic_core import ErrorDetails
 
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.toml import Table, TomlFile
-from deltacal_gen.pages import report
 from deltacal_gen.results.registered import STATUSES, Status
+from derive.review import rendering
 from derive.review.sources import PAGES
 
 SHOWN = 3  # figures of a deciding test where there is little room; the page has all
@@ -158,8 +158,8 @@ def page(titles: Mapping[str, str], claims: Sequence[Claim]) -> str:
     papers = [{"name": n, "title": titles[n], "count": len(own), "claims": own} for n, own in by_paper.items()]
     counts = [(s, sum(c.status == s for c in claims)) for s in STATUSES]
     script = (PAGES / "claims.js").read_text(encoding="utf-8")
-    return report.page_of(
-        "claims", PAGES, title="Claims of the papers", papers=papers, counts=counts, script=script, ended=decided()
+    return rendering.page(
+        "claims", title="Claims of the papers", papers=papers, counts=counts, script=script, ended=decided()
     )
 
 

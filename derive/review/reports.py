@@ -30,8 +30,8 @@ from deltacal_gen.units import file_unit, to_internal
 from derive import registry
 from derive.papers import verdicts
 from derive.review import account as accounts
-from derive.review import checks, geometry, laws, ledger, method, notation, sketch
-from derive.review.sources import PAGES, ROOT, Kernel, Sources, kernels, of_function, table_of
+from derive.review import checks, geometry, laws, ledger, method, notation, rendering, sketch
+from derive.review.sources import ROOT, Kernel, Sources, kernels, of_function, table_of
 from derive.review.subjects import Sort, Subject, applies, example, seen_by, title_of
 
 KERNELS = "generated/deltacal_kernels"
@@ -310,7 +310,7 @@ def _ranks(one: Subject, robot: Robot, names: Sequence[str], account: Mapping[st
                 "columns": rank.columns,
                 "free": free,
                 "smallest": report.power(rank.smallest),
-                "noise": report.below(rank.noise),
+                "noise": rendering.below(rank.noise),
                 "motions": rank.motions,
                 "paper": paper,
                 "geometry": [
@@ -519,7 +519,7 @@ def method_content(one: Subject) -> dict[str, Any]:
         {
             "title": step.title,
             "test": step.test,
-            "gap": report.below(step.gap),
+            "gap": rendering.below(step.gap),
             **led(vars(step.law), (), sources, ""),
         }
         for step in method.steps()
@@ -548,12 +548,12 @@ PICTURES = {"machine": "machine", "orders": "orders_picture", "map": "map_pictur
 def files(path: Path, template: str, found: Mapping[str, Any]) -> dict[Path, str]:
     """Return a report as files: one page of HTML, or Markdown with its pictures beside it."""
     if path.suffix == ".html":
-        return {path: report.page_of(template, PAGES, title=f"{found['subject']}: derivation", **found)}
+        return {path: rendering.page(template, title=f"{found['subject']}: derivation", **found)}
     named = {key: path.with_name(f"{path.stem}-{key}.svg") for key in PICTURES}
     svg = {**(found.get("checks") or {}), "machine": found.get("machine")}
-    drawn = {named[key]: report.standalone(svg[of]) for key, of in PICTURES.items() if svg.get(of)}
+    drawn = {named[key]: rendering.standalone(svg[of]) for key, of in PICTURES.items() if svg.get(of)}
     pictures = {key: file.name for key, file in named.items()}
-    return {path: report.markdown(template, PAGES, pictures=pictures, **found), **drawn}
+    return {path: rendering.markdown(template, pictures=pictures, **found), **drawn}
 
 
 def made(chosen: Sequence[Subject], progress: Callable[[str], None]) -> Iterator[tuple[Subject, str, dict[str, Any]]]:

@@ -11,9 +11,8 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from deltacal_gen.pages import report
-from derive.review import ledger
+from derive.review import ledger, rendering
 from derive.review.reproduction.sheet import Part, Picture, Sheet, Study
-from derive.review.sources import PAGES
 
 
 def remade(paper: str, tell: Callable[[str], None]) -> list[Part]:
@@ -44,8 +43,8 @@ def page(paper: str, parts: Sequence[Part]) -> str:
         for number in numbers
     ]
     counts = [(s, sum(c.status == s for c in claims)) for s in ledger.STATUSES]
-    return report.page_of(
-        "reproduction", PAGES, title=f"{paper}: tables and figures", paper=found, counts=counts, sections=sections
+    return rendering.page(
+        "reproduction", title=f"{paper}: tables and figures", paper=found, counts=counts, sections=sections
     )
 
 

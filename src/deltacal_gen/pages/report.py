@@ -9,16 +9,13 @@ from __future__ import annotations
 import html
 import io
 import math
-import re
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache, partial
 from importlib import resources
-from pathlib import Path
 from typing import Any
 
 import jinja2
 import numpy as np
-from markupsafe import Markup
 
 from deltacal_gen.files.robot import robot_of
 from deltacal_gen.machine.registry import mechanism_of
@@ -45,8 +42,7 @@ from deltacal_gen.results.places import Places
 from deltacal_gen.results.result import Result, Status
 from deltacal_gen.use import firmware
 
-_COLOURS = {INK: "var(--ink)", MUTED: "var(--muted)", BEFORE: "var(--before)", AFTER: "var(--after)"}
-_PAPER = {"var(--card)": "#ffffff", "var(--paper)": "#ffffff", "var(--good)": "#2c7a4b", "var(--bad)": "#b8472f"}
+COLOURS = {INK: "var(--ink)", MUTED: "var(--muted)", BEFORE: "var(--before)", AFTER: "var(--after)"}
 MOST_DRAWN = 60  # recordings of a batch, each with its line; of more, their distribution
 FAILED = {"verdict": "failed"}  # in the columns of a recording that could not be done
 MOST_ROWS = 500  # of a table on a page: 10^5 would be 20 MB, which no browser likes
@@ -244,28 +240,9 @@ def power(value: float) -> str:
     return f"{value / 10.0**exponent:.1f}·10{str(exponent).translate(RAISED)}"
 
 
-def below(value: float) -> str:
-    """Return a bound for what is only rounding: the next power of ten above it, which no other processor changes."""
-    return "0" if value == 0 else f"< {figures.decade(1, math.ceil(math.log10(value)))}"
-
-
-def page_of(template: str, folder: Path | None = None, **content: Any) -> str:
-    """Return a page by the name of its template, in a folder where it is not the package's own."""
-    return _rendered(template, folder, **content)
-
-
-def markdown(template: str, folder: Path, **content: Any) -> str:
-    """Return a text by the name of its Markdown template in a folder."""
-    text = _environment(".md.jinja", folder, autoescape=False).get_template(f"{template}.md.jinja").render(**content)
-    return re.sub(r"\n{3,}", "\n\n", text).strip() + "\n"
-
-
-def standalone(svg: str) -> str:
-    """Return a picture of a page as a file of its own: the page's colours on paper."""
-    colours = {variable: colour for colour, variable in _COLOURS.items()} | _PAPER
-    for variable, colour in colours.items():
-        svg = svg.replace(variable, colour)
-    return svg + "\n"
+def page_of(template: str, **content: Any) -> str:
+    """Return a page by the name of its template."""
+    return _rendered(template, **content)
 
 
 def asset(name: str) -> str:
@@ -274,10 +251,9 @@ def asset(name: str) -> str:
     return text
 
 
-def _rendered(template: str, folder: Path | None = None, **content: Any) -> str:
-    style = asset("style.css")
-    page = _environment(".html.jinja", folder, autoescape=True).get_template(f"{template}.html.jinja")
-    return page.render(style=style, numeric=_NUMERIC, **content)
+def _rendered(template: str, **content: Any) -> str:
+    page = _environment().get_template(f"{template}.html.jinja")
+    return page.render(style=asset("style.css"), numeric=_NUMERIC, **content)
 
 
 def _pages() -> Any:
@@ -285,24 +261,15 @@ def _pages() -> Any:
 
 
 @cache
-def _environment(ending: str, folder: Path | None, *, autoescape: bool) -> jinja2.Environment:
-    folders = (_pages(), folder) if folder is not None else (_pages(),)
-    every = (f for pages in folders for f in pages.iterdir() if f.name.endswith(ending))
-    files = {f.name: f.read_text(encoding="utf-8") for f in every}
-    environment = jinja2.Environment(
+def _environment() -> jinja2.Environment:
+    files = {f.name: f.read_text(encoding="utf-8") for f in _pages().iterdir() if f.name.endswith(".html.jinja")}
+    return jinja2.Environment(
         loader=jinja2.DictLoader(files),
         undefined=jinja2.StrictUndefined,
-        autoescape=autoescape,
+        autoescape=True,
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    environment.filters["breakable"] = _breakable
-    return environment
-
-
-def _breakable(text: str) -> Markup:
-    """Return a path or a dotted name that may break behind its separators, so that no column is as wide as it."""
-    return Markup(re.sub(r"(::|[/_])", r"\1<wbr>", html.escape(text)))
 
 
 # ------------------------------------------------------------------------------------------------------- in words
@@ -531,6 +498,6 @@ def _inline(picture: Any) -> str:
     )
     svg = stream.getvalue()
     svg = svg[svg.index("<svg") :]
-    for colour, variable in _COLOURS.items():
+    for colour, variable in COLOURS.items():
         svg = svg.replace(colour, variable)
     return svg.replace("'DejaVu Sans'", "inherit")
