@@ -16,7 +16,7 @@ from deltacal_gen.errors import InputError
 from deltacal_gen.estimation.problem import Linearised, Problem
 from deltacal_gen.identification.knowledge import factor
 from deltacal_gen.instrument.kind import Instrument, Readings
-from deltacal_gen.instrument.kinds import POINTS, instrument_of, kind_of
+from deltacal_gen.instrument.kinds import instrument_of, kind_of
 from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.machine.rotation import from_vector, to_vector
 from deltacal_gen.machine.values import Recording
@@ -94,8 +94,7 @@ def predicted_bands(
     place : Place, optional
         By which it was predicted.
     """
-    known = known_of(result)
-    at = _linear(result, known, recording, kind_of(recording.kind).unread(recording), place)
+    known, at = known_of(result), _linear(result, recording, place)
     found = at.problem.readings
     J_p, J_m = _in_columns(at)
     if recording.measurement.zero == "incremental" and not found.kind.positions:
@@ -103,9 +102,9 @@ def predicted_bands(
     spread = _moved(result, known, at, J_p, J_m, place).spread
     beyond = _beyond(result, known, done, found)
     width = spread.shape[1]
-    scatter = np.resize(known.scatter, width) if len(known.scatter) < width else known.scatter[:width]
     scale = 1.0 / at.instrument.at_platform[:width]
-    half = quantile(known.degrees) * np.sqrt(spread**2 + (scatter * scale) ** 2 + (beyond[:, None] * scale) ** 2)
+    variance = spread**2 + (np.resize(known.scatter, width) * scale) ** 2 + (beyond[:, None] * scale) ** 2
+    half = quantile(known.degrees) * np.sqrt(variance)
     values, turns = half[:, : found.kind.width], half[:, found.kind.width :]
     held = found.kind.with_values(recording, found, values, from_vector(turns) if turns.shape[1] else None)
     if recording.pairs is not None:
@@ -115,10 +114,8 @@ def predicted_bands(
     else:
         centres, halves = done.measured, held.measured
     out: dict[str, Array] = {}
-    for j, name in enumerate(band_columns(recording)):
-        unit = "rad" if name.endswith("_deg") else "mm"
-        ends = (to_file_each(centres[:, j] + sign * halves[:, j], unit) for sign in (-1, 1))
-        out |= zip(named(name), ends, strict=True)
+    for name, centre, width in zip(band_columns(recording), centres.T, halves.T, strict=True):
+        out |= _ends(name, centre, width)
     return out
 
 
@@ -153,7 +150,7 @@ def commanded_bands(
     commands = commanded(result, joints, tool, {}, frame)
     if channels.get("time") is None:
         channels = channels.with_values(time=np.zeros(len(joints)))
-    at = _linear(result, known, commands, kind_of(POINTS).unread(commands), None, channels)
+    at = _linear(result, commands, channels=channels)
     J_p, J_m = _in_columns(at)
     turn = at.instrument.state[0, :9].reshape(3, 3) if at.instrument.kind.positions else np.eye(3)
     J_p, J_m = turn.T @ J_p[:, :3], turn.T @ J_m[:, :3]
@@ -165,8 +162,15 @@ def commanded_bands(
     out: dict[str, Array] = {}
     for axis in mechanism_of(calibrated_robot(result)).axes:
         j = "xyz".index(axis)
-        out |= zip(named(f"{axis}_mm"), (reached[:, j] - half[:, j], reached[:, j] + half[:, j]), strict=True)
+        out |= _ends(f"{axis}_mm", reached[:, j], half[:, j])
     return out
+
+
+def _ends(column: str, centre: Array, half: Array) -> dict[str, Array]:
+    """Return the two ends of a column's band (N,), in the units of files."""
+    unit = "rad" if column.endswith("_deg") else "mm"
+    ends = (np.array([to_file(v, unit) for v in (centre + sign * half).tolist()]) for sign in (-1, 1))
+    return dict(zip(named(column), ends, strict=True))
 
 
 class Parts(NamedTuple):
@@ -191,48 +195,43 @@ def parts(
     What is left out is independent of the noise of the fit, so that its part of the covariance C is
     C[:, u] C[u, u]^-1 C[u, :]: in the rows of its factor L the projection onto those of u.
     """
-    known = known_of(result)
-    at = _linear(result, known, recording, kind_of(recording.kind).unread(recording), place)
+    known, at = known_of(result), _linear(result, recording, place)
     moved = _moved(result, known, at, *_in_columns(at), place)
     width = at.problem.readings.kind.width
     fitted = {*mechanism_of(calibrated_robot(result)).model(model)}
     own = factor(known)[[i for i, name in enumerate(known.parameters) if name not in fitted]]
     onto = np.linalg.pinv(own) @ own if len(own) else np.zeros((moved.by.shape[2],) * 2)
     by = moved.by[:, :width]
-    scatter = np.resize(known.scatter, width) if len(known.scatter) < width else known.scatter[:width]
     beyond = _beyond(result, known, done, at.problem.readings)
     return Parts(
         np.linalg.norm(by - by @ onto, axis=2),
         np.linalg.norm(by @ onto, axis=2),
         np.sqrt(moved.placing[:, :width]),
-        np.sqrt(scatter**2 + beyond[:, None] ** 2) / at.instrument.at_platform[:width],
+        np.sqrt(np.resize(known.scatter, width) ** 2 + beyond[:, None] ** 2) / at.instrument.at_platform[:width],
     )
-
-
-def to_file_each(values: Array, unit: str) -> Array:
-    """Return numbers in the units of files."""
-    return np.array([to_file(float(v), unit) for v in values])
 
 
 def _linear(
     result: Result | Diagnosis,
-    known: Uncertainty,
     recording: Recording,
-    found: Readings,
-    place: Place | None,
+    place: Place | None = None,
+    found: Readings | None = None,
     channels: Channels | None = None,
 ) -> _At:
-    """Return derivatives of readings by all that a result leaves open; `channels` stand for those of the recording."""
-    robot = calibrated_robot(result)
+    """Return derivatives of readings by all that a result leaves open; `channels` stand for those of the recording.
+
+    They are of all readings that the recording may hold, where none are given.
+    """
+    known = known_of(result)
     if channels is None:
-        problem, instrument = prediction_problem(result, robot, recording, found, place)
+        problem, instrument = prediction_problem(result, recording, found, place)
     else:
-        problem, instrument = prediction_problem(result.replace(physics=()), robot, recording, found, place)
+        problem, instrument = prediction_problem(result.replace(physics=()), recording, found, place)
         body = problem.body
         problem = dataclasses.replace(
             problem,
             held=tuple(known_effects(result)),
-            body=Body(robot, problem.mechanism, body.q, body.tool, channels),
+            body=Body(problem.robot, problem.mechanism, body.q, body.tool, channels),
         )
     count, terms = 0, list[Term]()
     while count < known.coefficients:
@@ -302,17 +301,15 @@ def _moved(
             rows = [n + s * len(kept.free) + j for j in whole if j >= 0]
             out += by_setup[:, :, s, [i for i, j in enumerate(whole) if j >= 0]] @ L[rows]
         elif place is not None:
-            follow, own = _placed(result, known, place, s, len(instrument.free))
+            follow, own = _placed(result, place, s, len(instrument.free))
             out += by_setup[:, :, s] @ follow @ L[:n]
             extra += np.einsum("rki,ij,rkj->rk", by_setup[:, :, s], own, by_setup[:, :, s])
     return _Moved(out, extra)
 
 
-def _placed(
-    result: Result | Diagnosis, known: Uncertainty, place: Place, setup: int, count: int
-) -> tuple[Array, Array]:
+def _placed(result: Result | Diagnosis, place: Place, setup: int, count: int) -> tuple[Array, Array]:
     """Return how a placed set-up follows what is open of the machine, and the covariance that it has itself."""
-    at = _linear(result, known, place.recording, place.readings, place)
+    at = _linear(result, place.recording, place, place.readings)
     mine = at.problem.readings.setup == setup
     read = np.isfinite(at.state.residual[mine])
     first = setup * count

@@ -86,11 +86,6 @@ def known_effects(result: Known, recording: Recording | None = None) -> list[Ter
     return held
 
 
-def _events(result: Known) -> list[str]:
-    held = (term_of(t) for t in result.physics or ())
-    return list(dict.fromkeys(t.effect for t in held if t.happens))
-
-
 def _rows_among(result: Known, recording: Recording) -> Array | None:
     """Return where the rows (N,) of a recording stand among those of the recording that was diagnosed.
 
@@ -104,7 +99,8 @@ def _rows_among(result: Known, recording: Recording) -> Array | None:
 
 def told_of_events(result: Known, recording: Recording) -> str | None:
     """Return in words how readings are placed before or after events, where no time tells it; None where one does."""
-    events = ", ".join(_events(result))
+    held = (term_of(t) for t in result.physics or ())
+    events = ", ".join(dict.fromkeys(t.effect for t in held if t.happens))
     if not events or (result.clock != "row" and recording.time_s is not None):
         return None
     if _rows_among(result, recording) is not None:
@@ -117,11 +113,6 @@ def told_of_events(result: Known, recording: Recording) -> str | None:
         f"taken as after the {events} that was found: {lacking} had no time_s, by which readings before it would be "
         "told from those behind"
     )
-
-
-def _since(result: Known, recording: Recording) -> Recording:
-    """Return a recording whose time counts from when that of a result does."""
-    return dataclasses.replace(recording, begun=result.begun_s)
 
 
 def predict(result: Known, recording: Recording, place: Place | None = None) -> Recording:
@@ -147,8 +138,7 @@ def predict(result: Known, recording: Recording, place: Place | None = None) -> 
         A set-up of the recording whose frame the result does not know, a channel that an effect reads and that is not
         given, or a pose that cannot be.
     """
-    robot = calibrated_robot(result)
-    problem, instrument = prediction_problem(result, robot, recording, place=place)
+    problem, instrument = prediction_problem(result, recording, place=place)
     x = problem.poses(problem.reference)
     values, rotations = _read(problem, instrument, x)
     if (correction := result.correction) is not None:
@@ -187,13 +177,13 @@ def corrected_joints(
     robot = calibrated_robot(result)
     mechanism = mechanism_of(robot)
     commands = commanded(result, joints, tool, channels)
-    problem, instrument = prediction_problem(result, robot, commands)
+    problem, instrument = prediction_problem(result, commands)
     rows = mechanism.rows(robot)
     wanted, _ = _read(problem, instrument, problem.poses(problem.reference))
     turn, tool = instrument.state[0, :9].reshape(3, 3), problem.body.tool
     for _ in range(COMMAND_STEPS):
         at = dataclasses.replace(commands, joints=joints)
-        plain, seen = prediction_problem(result, robot, at)
+        plain, seen = prediction_problem(result, at)
         x = plain.poses(plain.reference)
         reached, _ = _read(plain, seen, x)
         share, beside, other, moved = _corrected(result, correction, at, x)
@@ -255,29 +245,22 @@ def _corrected(
     share = holding(functions, recording, q, x)
     moved, shift = displacement(functions, recording, q, x)
     recording = dataclasses.replace(recording, joints=recording.joints + robot.joint_sign * moved)
-    problem, instrument = prediction_problem(beside, robot, recording, found, place)
+    problem, instrument = prediction_problem(beside, recording, found, place)
     x = problem.poses(problem.reference)
     x = np.hstack([x[:, :3] + shift, x[:, 3:]])
     return share, problem, instrument, x
 
 
 def prediction_problem(
-    result: Known,
-    robot: Robot,
-    recording: Recording,
-    found: Readings | None = None,
-    place: Place | None = None,
+    result: Known, recording: Recording, found: Readings | None = None, place: Place | None = None
 ) -> tuple[Problem, Instrument]:
     """Return the problem of a recording with nothing free, and the instrument that a result knows for it.
 
     `place` says where set-ups stand that the result does not know.
     """
-    recording = _since(result, recording)
-    found = kind_of(recording.kind).unread(recording) if found is None else found
-    found, instrument = _instrument(result, robot, recording, found, place)
-    held = known_effects(result, recording)
-    problem = pose_problem(robot, recording, (), found=found, held=held)
-    for term in held:
+    problem = _known_problem(result, recording, found)
+    problem, instrument = _with_instrument(result, problem, place)
+    for term in problem.held:
         if why := problem.body.missing(term):
             raise InputError(
                 f"what was diagnosed ({term.effect}) needs {why}.",
@@ -285,6 +268,15 @@ def prediction_problem(
                 file=recording.path,
             )
     return problem, instrument
+
+
+def _known_problem(result: Known, recording: Recording, found: Readings | None = None) -> Problem:
+    """Return the problem of readings, by default of all that a recording may hold, of a machine with nothing free."""
+    recording = dataclasses.replace(
+        recording, begun=result.begun_s
+    )  # its time counts from when that of the result does
+    found = kind_of(recording.kind).unread(recording) if found is None else found
+    return pose_problem(calibrated_robot(result), recording, (), found=found, held=known_effects(result, recording))
 
 
 def _made_of(term: Term, recording: Recording) -> str:
@@ -302,12 +294,10 @@ def has_law(result: Known) -> bool:
 
 def beyond_laws(result: Known, recording: Recording) -> np.ndarray:
     """Return which rows (N,) of a recording lie outside the range in which a law of a result was found."""
-    held = known_effects(result, recording)
     if not has_law(result):
         return np.zeros(recording.n_rows, dtype=bool)
-    unread = kind_of(recording.kind).unread(recording)
-    problem = pose_problem(calibrated_robot(result), _since(result, recording), (), found=unread, held=held)
-    return outside(problem.body, problem.solve(problem.reference), held)
+    problem = _known_problem(result, recording)
+    return outside(problem.body, problem.solve(problem.reference), problem.held)
 
 
 def beyond_waves(result: Known, recording: Recording) -> tuple[NeverSeen, ...]:
@@ -316,8 +306,7 @@ def beyond_waves(result: Known, recording: Recording) -> tuple[NeverSeen, ...]:
     read = {int(limb): span for wave in waves for limb, span in wave.items()}
     if not read:
         return ()
-    unread = kind_of(recording.kind).unread(recording)
-    turn = turns(pose_problem(calibrated_robot(result), recording, (), found=unread))
+    turn = turns(_known_problem(result, recording))
     every = [(limb, turn[:, limb - 1], span) for limb, span in sorted(read.items())]
     return standing(
         (limb, own, (own / DEG < low - JUST_THERE) | (own / DEG > high + JUST_THERE), partial(_on_both_sides, low))
@@ -365,52 +354,44 @@ def unknown_setups(result: Known, recording: Recording) -> tuple[str, ...]:
     return tuple(n for n in asked if n not in known)
 
 
-def _instrument(
-    result: Known, robot: Robot, recording: Recording, found: Readings, place: Place | None
-) -> tuple[Readings, Instrument]:
-    """Return the readings, their set-ups counted as the instrument's rows, and the instrument that reads them."""
-
-    def poses() -> Array:
-        held = known_effects(result, recording)
-        problem = pose_problem(robot, recording, (), found=found, held=held)
-        return problem.poses(problem.reference)
-
-    if (own := found.kind.own(found, recording, robot, poses)) is not None:
-        return found, own
+def _with_instrument(result: Known, problem: Problem, place: Place | None) -> tuple[Problem, Instrument]:
+    """Return a problem whose set-ups are counted as the rows of an instrument, and the instrument."""
+    recording, found = problem.recording, problem.readings
+    own = found.kind.own(found, recording, problem.robot, lambda: problem.poses(problem.reference))
+    if own is not None:
+        return problem, own
     names, given = result.instrument.setups, instrument_of(result.instrument)
     if found.kind.stays and given.kind == found.kind:
-        return found, given
+        return problem, given
     instrument = found.kind.like(given, recording)
     asked = {recording.setup_names[k] for k in np.unique(found.setup)}
     unknown = sorted(asked & {*unknown_setups(result, recording)})
     anew = frozenset(unknown) | (place.anew & asked if place else frozenset())
+    row = {name: k for k, name in enumerate(names)}
     if anew and place is not None:
-        placed = _placed(result, robot, place, anew)
+        placed = _placed(result, place, anew)
         state = placed.state if instrument is None else np.vstack([instrument.state, placed.state])
-        index = [
-            len(state) - len(placed.state) + sorted(anew).index(n) if n in anew else names.index(n) if n in names else 0
-            for n in recording.setup_names
-        ]
-        return dataclasses.replace(found, setup=np.array(index)[found.setup]), dataclasses.replace(placed, state=state)
-    if instrument is None:
+        row |= {name: len(state) - len(placed.state) + k for k, name in enumerate(sorted(anew))}
+        instrument = dataclasses.replace(placed, state=state)
+    elif instrument is None:
         raise InputError(
             f"the result was identified from readings of the kind '{given.kind.name}' and knows no frame for "
             f"'{found.kind.name}'.",
             f'Give readings of the kind {given.kind.name}, or say frame = "robot" in the sidecar.',
             file=recording.path,
         )
-    if unknown:
+    elif unknown:
         raise InputError(
             f"the result knows no frame of the set-up '{unknown[0]}'; it knows {', '.join(names)}.",
             "Give readings of that set-up at other poses: predict --place OTHER.csv.",
             file=recording.path,
             column="setup",
         )
-    index = [names.index(n) if n in names else 0 for n in recording.setup_names]
-    return dataclasses.replace(found, setup=np.array(index)[found.setup]), instrument
+    setup = np.array([row.get(name, 0) for name in recording.setup_names])[found.setup]
+    return dataclasses.replace(problem, readings=dataclasses.replace(found, setup=setup)), instrument
 
 
-def _placed(result: Known, robot: Robot, place: Place, anew: frozenset[str]) -> Instrument:
+def _placed(result: Known, place: Place, anew: frozenset[str]) -> Instrument:
     """Return an instrument with a row for each of the set-ups `anew`, in the order of their names.
 
     Raises
@@ -418,7 +399,7 @@ def _placed(result: Known, robot: Robot, place: Place, anew: frozenset[str]) -> 
     InputError
         There are no readings of one of them, or they leave open where it stands.
     """
-    names, recording = sorted(anew), _since(result, place.recording)
+    names, recording = sorted(anew), place.recording
     code = np.array([names.index(n) if n in anew else -1 for n in recording.setup_names])
     found = place.readings.subset(code[place.readings.setup] >= 0)
     found = dataclasses.replace(found, setup=code[found.setup])
@@ -431,8 +412,7 @@ def _placed(result: Known, robot: Robot, place: Place, anew: frozenset[str]) -> 
                 column="setup",
             )
     recording = dataclasses.replace(recording, setup=np.maximum(code[recording.setup], 0), setup_names=tuple(names))
-    held = known_effects(result, recording)
-    problem = pose_problem(robot, recording, (), found=found, held=held)
+    problem = _known_problem(result, recording, found)
     machine = problem.solve(problem.reference)
     start = problem.begin(problem.reference, machine)
     _check_seen(problem, start, machine, names)
@@ -461,7 +441,7 @@ def _check_seen(problem: Problem, instrument: Instrument, machine: Deformed, nam
 
 def residual(result: Known, recording: Recording, found: Readings, place: Place | None = None) -> Array:
     """Return measured minus predicted (R, k) of readings that the result has not seen [mm, rad]."""
-    problem, instrument = prediction_problem(result, calibrated_robot(result), recording, found, place)
+    problem, instrument = prediction_problem(result, recording, found, place)
     x = problem.poses(problem.reference)
     r = problem.residual(problem.reference, instrument, x)
     if (correction := result.correction) is not None:

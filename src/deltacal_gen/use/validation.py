@@ -145,7 +145,7 @@ def _left_out(
 
     A set-up of too few poses to leave some out keeps the residuals `r` of its placing by all.
     """
-    robot, left, placed = calibrated_robot(result), r.copy(), []
+    left, placed = r.copy(), []
     for name, why in anew.items():
         own = np.flatnonzero(found.setup == recording.setup_names.index(name))
         mine = found.subset(own)
@@ -160,10 +160,10 @@ def _left_out(
                 left[own], out = r[own], False
                 break
         everything = Place(recording, mine, frozenset([name]))
-        _, stands = prediction_problem(result, robot, recording, mine, everything)
+        _, stands = prediction_problem(result, recording, mine, everything)
         moved: dict[str, float] = {}
         if why == "elsewhere":
-            before = prediction_problem(result, robot, recording, mine)[1]
+            before = prediction_problem(result, recording, mine)[1]
             known = residual(result, recording, mine)
             moved = {"rms_where_known_mm": _rms(known, found), **_motion(before, stands, result, name)}
         placed.append(Placed(setup=name, why=why, unknowns=len(stands.free), readings=len(own), left_out=out, **moved))
