@@ -12,7 +12,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from deltacal_gen.estimation.directions import CHANCE, FEWEST, explained
+from deltacal_gen.diagnosis.charges import quantile
+from deltacal_gen.estimation.directions import FEWEST, explained
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.identification.noise import noise
 from deltacal_gen.identification.rounding import moved_by_steps
@@ -58,7 +59,7 @@ def scattering(at: Fit) -> Scatter | None:
     j, s = np.unravel_index(int(np.argmax(gain)), gain.shape)
     joint = int(np.flatnonzero(seen)[j])
     whole_noise = 1 + SIZES[s] / k  # which a fit counts as one, in units of the noise beside the joint's
-    if gain[j, s] - max(explained(z, ways), 0.0) < _price(limbs):
+    if gain[j, s] - max(explained(z, ways), 0.0) < quantile(1, limbs):
         return None
     if SIZES[s] < ROUNDED * whole_noise * _by_steps(at, whole)[joint]:
         return None
@@ -70,10 +71,3 @@ def _by_steps(at: Fit, chosen: np.ndarray) -> Array:
     moved = moved_by_steps(at)[chosen, :3] / at.sigma[:3, None]
     out: Array = (moved**2).sum(axis=1).mean(axis=0) / 12
     return out
-
-
-def _price(joints: int) -> float:
-    """Return what one of so many joints must explain, in the deviance."""
-    from scipy.special import chdtri
-
-    return float(chdtri(1, CHANCE / joints))
