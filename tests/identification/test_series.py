@@ -18,7 +18,7 @@ from deltacal_gen.identification.folds import folds
 from deltacal_gen.identification.identification import identify
 from deltacal_gen.identification.noise import coordinate_sigma
 from deltacal_gen.identification.tails import tails_of
-from deltacal_gen.identification.together import deviance_of, rows_alone
+from deltacal_gen.identification.together import covariance_alone, deviance_of, rows_alone
 from tests.benchmarks.honesty_nulls import ROBOT, SIGMA, drawn, null
 from tests.support.left_out import DELTA, channels, effect, machine, record
 from tests.support.prototype import plausible
@@ -325,3 +325,29 @@ def test_a_needless_effect_hardly_moves_the_deviance_however_many_readings_there
     more = refitted(problem, plain, [problem.body.blank("zero_drift", (1, 2, 3))])
     assert more is not None
     assert abs(deviance_of(more) - deviance_of(plain)) < 20.0
+
+
+def test_numbers_of_rows_weighed_alone_have_the_uncertainty_that_their_noise_leaves() -> None:
+    """Estimates by ordinary least squares, under noise that is correlated, against matrices that are written out."""
+    problem = pose_problem(ROBOT, null("AR 0.9", 1), DELTA.model(DELTA.full_model))
+    first = fit(problem, Prior(), must_converge=False, drop_gross=False)
+    series = Series.of(problem.readings, problem.recording)
+    assert series is not None
+    repeats = dataclasses.replace(first.repeats, series=dataclasses.replace(series, rho=0.9, own=0.2))
+    at = fit(problem, Prior(), errors=first.errors, repeats=repeats, must_converge=False, drop_gross=False)
+    alone = rows_alone(at)
+    state = problem.linearise(alone.errors, alone.instrument, alone.machine)
+    R, k, n_m = state.J_m.shape
+    scale = np.append(problem.scale, np.ones(n_m))
+    A = np.concatenate([state.J_p, state.J_m], axis=2) * scale
+    A = (A * (np.sqrt(alone.weights)[:, None] / alone.sigma)[..., None]).reshape(R * k, -1)
+    apart = np.abs(np.arange(R)[:, None] - np.arange(R))
+    inside = np.empty((R, R))
+    inside[np.ix_(series.order, series.order)] = 0.8 * 0.9**apart + 0.2 * np.eye(R)
+    V = np.kron(inside, np.diag((at.sigma / alone.sigma) ** 2))
+    P = np.diag([1.0] * len(problem.scale) + [0.0] * n_m)
+    M = np.linalg.inv(A.T @ A + P)
+    expected = M @ (A.T @ V @ A + P) @ M
+    found = covariance_alone(alone, at) / np.outer(scale, scale)
+    assert np.sqrt(np.diag(found)) == pytest.approx(np.sqrt(np.diag(expected)), rel=1e-5)
+    assert (np.sqrt(np.diag(found)) > np.sqrt(np.diag(at.covariance)) / scale * 0.99).all()  # none is better than GLS

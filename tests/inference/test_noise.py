@@ -50,6 +50,11 @@ def test_components_are_whitened_alike(noise: NoiseModel) -> None:
     assert noise.whiten(values)[:, 1, 0] == pytest.approx(noise.whiten(values[:, 1, 0]))
 
 
+def test_products_are_those_of_the_covariance(noise: NoiseModel) -> None:
+    values = np.random.default_rng(5).standard_normal((R, 2, 3))
+    assert noise.times(values) == pytest.approx(np.einsum("ij,jab->iab", covariance(noise), values), abs=1e-12)
+
+
 def test_likelihood_is_that_of_the_dense_covariance(noise: NoiseModel) -> None:
     z = np.random.default_rng(3).standard_normal(R)
     e = noise.whiten(z)

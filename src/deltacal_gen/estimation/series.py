@@ -138,14 +138,10 @@ class Series(Correlated):
 
         Of an instrument that walks the rest is its frame's, and as large as one cares to wait.
         """
-        shown, starts = 0.0, np.flatnonzero(np.isinf(self.gap)).tolist()
-        for start, end in itertools.pairwise([*starts, len(self.gap)]):
-            n, before, alike = end - start, 0.0, 0.0
-            for told in self._told[start + 1 : end].tolist():
-                before = told * (1 + before)
-                alike += before
-            shown += n - 2 * (1 - self.own) * alike / max(n - 1, 1)
-        return shown / len(self.gap)
+        alike = self.weighted(None).noise.times(np.ones(len(self.gap)))[self.order]  # a row's correlations with all
+        setup = np.cumsum(np.isinf(self.gap)) - 1
+        n = np.bincount(setup)
+        return float((n - (np.bincount(setup, alike) - n) / np.maximum(n - 1, 1)).sum() / len(self.gap))
 
     @property
     def rows_of_a_set_up(self) -> float:

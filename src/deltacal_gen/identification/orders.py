@@ -214,10 +214,6 @@ class Orders:
         g[:n] -= held * self._departure
         return H, g
 
-    def _of(self, limbs: Sequence[int]) -> tuple[Array, Array, float]:
-        own, (S, g, rest) = self._places(limbs) - self._n - 1, self._whole
-        return S[np.ix_(own, own)], g[own], rest
-
     def sized(self, limbs: Sequence[int], start: float) -> Sized:
         """Return size, corner and noise of the largest evidence, sought from a corner on."""
         best = self._at_corner(limbs, start)
@@ -245,8 +241,9 @@ class Orders:
 
     def _model(self, limbs: Sequence[int], prior: Array) -> MixedModel:
         """Return the mixed model of joints' coefficients in units of the roots of their prior variances."""
-        (S, g, rest), root = self._of(limbs), np.tile(np.sqrt(prior), len(limbs))
-        return MixedModel.normal(root[:, None] * S * root, root * g, rest, self._scalars)
+        own, (S, g, rest) = self._places(limbs) - self._n - 1, self._whole
+        root = np.tile(np.sqrt(prior), len(limbs))
+        return MixedModel.normal(root[:, None] * S[np.ix_(own, own)] * root, root * g[own], rest, self._scalars)
 
     def gain(self, found: Sized, without: int) -> float:
         """Return twice the logarithm of the evidence for the error of one of the joints."""
@@ -284,19 +281,12 @@ class Orders:
 
     def without(self, errors: Mapping[int, np.ndarray]) -> Orders:
         """Return the same of readings in which errors (2 orders,) [rad] that are held in the fit stand again."""
-        out, n = copy.copy(self), self._n
-        t = np.zeros(len(self._grams[0]))
-        t[n] = 1.0
+        out, T = copy.copy(self), np.eye(len(self._grams[0]))
         for j, values in errors.items():
             i = self._limbs.index(j)
             out._y = out._y + self._J[:, :, i] * (self._F[i] @ values)[:, None]
-            t[self._places([j])] = values
-        out._grams = []
-        for G in self._grams:
-            along = G @ t
-            own = G.copy()
-            own[n], own[:, n], own[n, n] = along, along, t @ along
-            out._grams.append(own)
+            T[self._places([j]), self._n] = values
+        out._grams = [T.T @ G @ T for G in self._grams]
         vars(out).pop("_whole", None)
         return out
 

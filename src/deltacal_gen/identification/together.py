@@ -14,7 +14,7 @@ from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.residuals import GROSS, HUBER, Repeats
 from deltacal_gen.estimation.series import Series
-from deltacal_gen.estimation.solvers import Prior
+from deltacal_gen.estimation.solvers import Prior, jitter
 from deltacal_gen.estimation.system import in_unit_noise
 from deltacal_gen.identification.folds import folds
 from deltacal_gen.machine.registry import Array
@@ -102,9 +102,27 @@ def as_predicts(at: Fit) -> Fit:
     """Return a fit with the machine that predicts held-out readings better; see `better_alone`. The noise stays."""
     if (alone := better_alone(at)) is None:
         return at
-    return dataclasses.replace(
-        at, errors=alone.errors, machine=alone.machine, instrument=alone.instrument, residual=alone.residual
-    )
+    found = {name: getattr(alone, name) for name in ("errors", "machine", "instrument", "residual")}
+    return dataclasses.replace(at, **found, covariance=covariance_alone(alone, at))
+
+
+def covariance_alone(alone: Fit, at: Fit) -> Array:
+    """Return the covariance of what is fitted with rows weighed alone, where their noise is that of another fit.
+
+    Ordinary least squares under correlated noise (n + n_m, n + n_m): N^-1 (A' V A + P) N^-1, N = A'A + P.
+    """
+    assert at.repeats.series is not None
+    problem = alone.problem
+    state = problem.linearise(alone.errors, alone.instrument, alone.machine)
+    scale = np.append(problem.scale, np.ones(state.J_m.shape[2]))
+    J = np.concatenate([state.J_p, state.J_m], axis=2) * scale
+    A = in_unit_noise(J, np.isfinite(state.residual), alone.sigma, alone.weights, alone.repeats)
+    VA = at.repeats.series.noise.times(A) * (at.sigma / alone.sigma)[:, None] ** 2
+    A, VA = (rows.reshape(-1, len(scale)) for rows in (A, VA))
+    P = np.diag((np.arange(len(scale)) < len(problem.scale)).astype(float))
+    N = A.T @ A + P + np.diag(jitter(np.diag(A.T @ A)))
+    C = np.linalg.solve(N, np.linalg.solve(N, A.T @ VA + P).T)
+    return np.asarray(C * scale * scale[:, None])
 
 
 def deviance_of(at: Fit) -> float:

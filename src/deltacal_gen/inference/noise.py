@@ -52,6 +52,18 @@ class NoiseModel:
         out[self.order] = e - U @ ((1 - 1 / np.sqrt(1 + square))[:, None] * (U.T @ e))
         return out.reshape(values.shape)
 
+    def times(self, values: Array) -> Array:
+        """Return the covariance times rows (R, ...)."""
+        from scipy.linalg import solve_banded
+
+        v = values[self.order].reshape(len(values), -1)
+        ones = np.ones_like(self.told)
+        after = solve_banded((1, 0), np.stack([ones, -np.append(self.told[1:], 0.0)]), v)
+        before = solve_banded((0, 1), np.stack([-self.told, ones]), v)
+        out = np.empty_like(v)
+        out[self.order] = self.own[:, None] * v + self.fading * (before + after - v) + self.shared @ (self.shared.T @ v)
+        return out.reshape(values.shape)
+
     @cached_property
     def log_det(self) -> float:
         """Logarithm of the determinant of the covariance."""

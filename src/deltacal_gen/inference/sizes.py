@@ -91,15 +91,8 @@ def fit_sizes(
         return np.exp(np.bincount(there, log, len(v))) * (v > 0)
 
     if len(there):
-        bounds = np.log(limits)[there]
-        end = minimize(
-            lambda log: (cost(at(log)), slopes(at(log))[there]),
-            np.log(v[there]),
-            jac=True,
-            method="L-BFGS-B",
-            bounds=bounds,
-            options=EXACT,
-        )
+        how = {"method": "L-BFGS-B", "bounds": np.log(limits)[there], "options": EXACT}
+        end = minimize(lambda log: cost(at(log)), np.log(v[there]), jac=lambda log: slopes(at(log))[there], **how)
         best, v = (float(end.fun), at(end.x)) if end.fun <= best else (best, v)
     variances, found = given(v)
     return Sizes(v[:k], model.noise(variances) if found is None else found, best)
