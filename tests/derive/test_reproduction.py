@@ -124,7 +124,7 @@ def test_what_cannot_be_is_refused(tmp_path: Path) -> None:
     with pytest.raises(UsageError, match="no paper 'plato'"):
         dc.reproduce("plato", output=tmp_path)
     (tmp_path / "file").write_text("")
-    with pytest.raises(InputError, match="needs a folder"):
+    with pytest.raises(InputError, match="a folder is needed"):
         dc.reproduce("bai", output=tmp_path / "file")
     with pytest.raises(ValueError, match="2 cells for 1 columns"):
         Sheet("Table 1", "", ("one",)).add(1, 2)

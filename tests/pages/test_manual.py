@@ -195,10 +195,14 @@ def _known(words: list[str], where: str, *, whole: bool) -> None:
         command, rest = deltacal(), words[1:]
         while rest and not rest[0].startswith("-") and rest[0] in command:
             command, rest = command[rest[0]], rest[1:]
-        assert command.default_command is not None, where
-        options = {name for argument in command.assemble_argument_collection() for name in argument.names}
+        known = command.assemble_argument_collection() if command.default_command else ()
+        options = {
+            *command.help_flags,
+            *command.version_flags,
+            *(name for argument in known for name in argument.names),
+        }
         given = {word for word in rest if re.fullmatch(r"--?[a-z][\w-]*", word)}
-        assert given <= options | {"--help", "-h"}, f"{where}: {sorted(given - options)}"
+        assert given <= options, f"{where}: {sorted(given - options)}"
         if whole and "..." not in rest:
             deltacal().parse_args(words[1:], exit_on_error=False, print_error=False)
     else:

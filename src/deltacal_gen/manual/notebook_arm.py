@@ -15,7 +15,8 @@ print(result.headline)
 
 # %% [markdown]
 # ```output
-# serial/dh: 16 of 28 parameters identified; rms 2.508 -> 0.0179 mm, held-out 0.02077 mm (noise 0.02, declared)
+# serial/dh: 16 of 28 parameters identified; rms before 2.508 -> after 0.0179 mm,
+# held-out 0.02077 mm (noise 0.02, declared)
 # ```
 #
 # ## What no reading sees

@@ -22,7 +22,8 @@ print(result.headline)
 
 # %% [markdown]
 # ```output
-# delta/42: 15 of 42 parameters identified; rms 0.2629 -> 0.06211 mm, held-out 0.06851 mm (noise 0.01, declared)
+# delta/42: 15 of 42 parameters identified; rms before 0.2629 -> after 0.06211 mm,
+# held-out 0.06851 mm (noise 0.01, declared)
 # ```
 #
 # The table of an answer is a data frame; here the three parameters that are largest beside their uncertainty.

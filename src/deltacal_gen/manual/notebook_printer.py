@@ -24,7 +24,8 @@ print(result.headline)
 
 # %% [markdown]
 # ```output
-# linear_delta/9: 9 of 9 parameters identified; rms 0.3413 -> 0.0167 mm, held-out 0.04065 mm (noise 0.0163, residual)
+# linear_delta/9: 9 of 9 parameters identified; rms before 0.3413 -> after 0.0167 mm,
+# held-out 0.04065 mm (noise 0.0163, residual)
 # ```
 #
 # ## Back to the firmware

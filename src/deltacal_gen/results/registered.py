@@ -129,28 +129,46 @@ class ClaimEntry(Answer):
     def document(self) -> Document:
         """Yield where it stands and what became of it, and what decides it."""
         yield Text(f"  {self.status}", self.where)
+        yield Text(self.statement)
         lines = {
-            "": self.statement,
             "printed": self.printed,
             "correct": "the same" if self.printed == self.correct else self.correct,
             "evidence": self.evidence,
             "derived": self.decided or "no: typed, and decided by its test",
             "test": self.test,
             "ended": self.ended,
-            "measured": "\n".join(self.measured),
+            "measured": "; ".join(self.measured),
         }
-        yield Table(("", ""), [(head, line) for head, line in lines.items() if line])
+        yield from (Text(line, f"{head} ") for head, line in lines.items() if line)
+        yield Text("")
 
 
 class Claims(tuple[ClaimEntry, ...]):
     """What `claims` answers."""
 
+    def papers(self) -> dict[str, list[ClaimEntry]]:
+        """Return the claims of each paper."""
+        return {name: [c for c in self if c.paper == name] for name in dict.fromkeys(c.paper for c in self)}
+
     def document(self) -> Document:
         """Yield the claims of each paper, and how many have which status."""
-        papers = {name: [c for c in self if c.paper == name] for name in dict.fromkeys(c.paper for c in self)}
-        for entries in papers.values():
+        for entries in self.papers().values():
             yield Text("", entries[0].title)
             for claim in entries:
                 yield from claim.document()
+        yield from self.counts()
+
+    def counts(self) -> Document:
+        """Yield how many claims of which paper have which status."""
+        papers = self.papers()
         counts = [(s, *(str(sum(c.status == s for c in own)) for own in papers.values())) for s in STATUSES]
         yield Table(("status", *papers), [*counts, ("all", *(str(len(own)) for own in papers.values()))])
+
+
+class WrittenClaims(Claims):
+    """Claims that stand on a page."""
+
+    def document(self) -> Document:
+        """Yield how many claims have which status."""
+        yield Text(f"{len(self)} claims")
+        yield from self.counts()

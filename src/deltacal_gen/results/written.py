@@ -253,8 +253,7 @@ class Imported(Answer):
 
     def document(self) -> Document:
         """Yield what was written, and what to know before using it."""
-        names = ", ".join([*([self.robot] if self.robot else []), *self.recordings])
-        yield Text(f"{names} written to {self.folder}")
+        yield Text(", ".join([*([self.robot] if self.robot else []), *self.recordings]))
         yield from (Text(words, "warning: ") for words in self.warnings)
 
 

@@ -26,6 +26,7 @@ SHOWN = {
     "verbose": ("--verbose", "Print line by line what is being done, and a fault in full."),
 }
 IMPORT = "Make recordings, and a robot file, of what firmware, trackers, ROS or motion capture keep."
+PICTURE, DRAWN = "picture", "Picture of the answer, .svg, .png or .pdf."
 MARK = "Decimal mark of tables, '.' or ',', where it is not certain."
 
 
@@ -84,27 +85,26 @@ def _add(app: App, name: str, command: Command, functions: list[Callable[..., An
         given = inspect.signature(run).bind(*arguments, **options).arguments
         return _run(command, {key: value for key, value in given.items() if value is not None})
 
-    flags = {key: (option_of(key), words) for key, words in command.flags.items()}
-    own = (_flag(key, *words) for key, words in flags.items())
-    every = (_flag(key, *words, group=OUTPUT) for key, words in SHOWN.items())
-    parameters = [*taken.parameters, *own, *([_mark()] if taken.reads_tables else []), *every]
+    own = [_option(bool, key, option_of(key), words) for key, words in command.flags.items()]
+    every = [_option(bool, key, *words, group=OUTPUT) for key, words in SHOWN.items()]
+    mark = [_option(str | None, "decimal", "--decimal", MARK, group=OUTPUT)] if taken.reads_tables else []
+    picture = [_option(Path | None, PICTURE, "--picture", DRAWN)] if command.draws else []
+    parameters = [*taken.parameters, *own, *picture, *mark, *every]
     run.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
     run.__annotations__ = {p.name: p.annotation for p in parameters}
     app.command(run, name=name, help=taken.help, help_epilogue=taken.examples, **how)
 
 
-def _flag(key: str, option: str, words: str, **how: Any) -> inspect.Parameter:
-    annotation = Annotated[bool, Parameter(name=option, help=words, negative=(), show_default=False, **how)]
-    return inspect.Parameter(key, inspect.Parameter.KEYWORD_ONLY, default=False, annotation=annotation)
-
-
-def _mark() -> inspect.Parameter:
-    annotation = Annotated[str | None, Parameter(name="--decimal", help=MARK, group=OUTPUT)]
-    return inspect.Parameter("decimal", inspect.Parameter.KEYWORD_ONLY, default=None, annotation=annotation)
+def _option(kind: Any, key: str, option: str, words: str, **how: Any) -> inspect.Parameter:
+    """Return an option that the command line alone has: a flag, or a text."""
+    annotation = Annotated[kind, Parameter(name=option, help=words, negative=(), show_default=False, **how)]
+    default = False if kind is bool else None
+    return inspect.Parameter(key, inspect.Parameter.KEYWORD_ONLY, default=default, annotation=annotation)
 
 
 def _run(command: Command, given: dict[str, Any]) -> int:
     """Run a command; return its exit code."""
+    from deltacal_gen.app.commands.common import PICTURES, check_output
     from deltacal_gen.files.dialect import set_decimal_mark
     from deltacal_gen.files.writing import is_standard_output
 
@@ -115,6 +115,9 @@ def _run(command: Command, given: dict[str, Any]) -> int:
     set_decimal_mark(given.pop("decimal", None))
     terminal = Terminal(**shown, aside=aside)
     notes: list[str] = []
+    picture = given.pop(PICTURE, None) if command.draws else None
+    files = [value for value in given.values() if isinstance(value, Path)]
+    check_output(picture, *files, ending=PICTURES)
     name = command.functions[0] if command.choose is None else command.choose(given)
     function = getattr(deltacal_gen, name)
     call = _call(function, {key: v for key, v in given.items() if key not in command.flags}, command.choosers)
@@ -125,11 +128,15 @@ def _run(command: Command, given: dict[str, Any]) -> int:
         if "tell" in call.signature.parameters:
             call.arguments["tell"] = notes.append
         found = function(*call.args, **call.kwargs)
+    if picture is not None:
+        from deltacal_gen.pages import figures
+
+        figures.save(found.plot(), picture)
     answer = found if command.receipt is None else command.receipt(found, given, tuple(notes))
     terminal.show(answer)
-    for name in FILES:
-        if name in given and Path(given[name]).is_file() and not aside:
-            terminal.say(f"written to {given[name]}")
+    for path in (*(given.get(name) for name in FILES), picture):
+        if path is not None and path.exists() and not aside:
+            terminal.say(f"written to {path}")
     return int(command.negative(found, given))
 
 

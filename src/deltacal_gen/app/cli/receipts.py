@@ -58,14 +58,14 @@ def commanded(found: Any, given: Given, told: Told) -> Any:
 
     from deltacal_gen.results.written import FedForward, Joints
 
-    file = None if given.get("output") is None else str(given["output"])
+    file = str(given["output"]) if "output" in given else None
     if given.get("trajectory"):
         columns = tuple(found.columns_of_file())
         how = {"joints": found.joints_in_files, "torques": found.torque, "units": found.units}
         return FedForward(columns=columns, **how, told=told, file=file)
-    export, method = given.get("export"), given.get("method", "exact")
-    joints, firmware = (np.zeros((0, 3)), found) if export is not None else (found, None)
-    return Joints(kind=method, export=export, joints=joints, assumed=told, firmware=firmware, file=file)
+    export, kind = given.get("export"), given.get("method", "exact")
+    joints, firmware = (np.zeros((0, 3)), found) if export else (found, None)
+    return Joints(kind=kind, export=export, joints=joints, assumed=told, firmware=firmware, file=file)
 
 
 def predicted(found: Any, given: Given, told: Told) -> Any:
@@ -101,11 +101,18 @@ def imported(found: Any, given: Given, told: Told) -> Any:
     )
 
 
+def claims(found: Any, given: Given, told: Told) -> Any:
+    """Return claims; those that stand on a page without their texts."""
+    from deltacal_gen.results.registered import WrittenClaims
+
+    return WrittenClaims(found) if "output" in given else found
+
+
 def page(found: str, given: Given, told: Told) -> Any:
     """Return what stands for a page of the manual."""
     from deltacal_gen.pages.manual import CONTENTS
     from deltacal_gen.results.written import Manual
 
-    copied = given.get("examples") is not None
-    files = tuple(found.splitlines()) if copied and given.get("topic") is None else ()
-    return Manual(topic=given.get("topic") or CONTENTS, text=None if files else found, files=files)
+    topic = given.get("topic")
+    files = tuple(found.splitlines()) if topic is None and "examples" in given else ()
+    return Manual(topic=topic or CONTENTS, text=None if files else found, files=files)

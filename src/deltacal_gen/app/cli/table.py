@@ -27,6 +27,8 @@ class Command:
         What the command line alone takes, with its help: flags that choose, or that decide the exit code.
     needed : tuple of str
         Options that the command line cannot do without.
+    draws : bool
+        Whether its answer has a picture.
     receipt : callable, optional
         Makes the answer that is printed of what the function returned, where that is no answer itself.
     negative : callable
@@ -38,6 +40,7 @@ class Command:
     choosers: Sequence[str] = ()
     flags: Mapping[str, str] = field(default_factory=dict)
     needed: Sequence[str] = ()
+    draws: bool = False
     receipt: Callable[[Any, Given, tuple[str, ...]], Any] | None = None
     negative: Callable[[Any, Given], bool] = lambda found, given: False
 
@@ -49,17 +52,14 @@ def _planner(given: Given) -> str:
 
 
 def _compensator(given: Given) -> str:
-    if given.get("export") is not None:
+    if "export" in given:
         return "export_compensator"
     return "feed_forward" if given.get("trajectory") else "compensate"
 
 
 def _no_effect(found: Any, given: Given) -> bool:
     """Tell whether a diagnosis is a no: not adequate under --strict, or without the law that was to be written."""
-    from deltacal_gen.results.diagnosis import Verdict
-
-    unexplained = given.get("strict") and found.verdict is not Verdict.ADEQUATE
-    return bool(unexplained or (given.get("write_effect") is not None and not found.laws))
+    return bool((given.get("strict") and found.verdict != "adequate") or ("write_effect" in given and not found.laws))
 
 
 COMMANDS: dict[str, dict[str, Command]] = {  # by their group in the help
@@ -70,14 +70,17 @@ COMMANDS: dict[str, dict[str, Command]] = {  # by their group in the help
     "Calibrate": {
         "models": Command(("models",)),
         "plan": Command(("plan", "plan_cycles", "plan_trajectory"), _planner, ("kind", "model", "sidecar")),
-        "study": Command(("study",)),
+        "study": Command(("study",), draws=True),
         "simulate": Command(("simulate",), needed=("output",), receipt=receipts.simulated),
-        "identify": Command(("identify",)),
+        "identify": Command(("identify",), draws=True),
         "matrix": Command(("matrix",), needed=("output",), receipt=receipts.matrix),
     },
     "Diagnose": {
         "diagnose": Command(
-            ("diagnose",), flags={"strict": "exit with 1 unless the verdict is adequate"}, negative=_no_effect
+            ("diagnose",),
+            flags={"strict": "Exit with 1 unless the verdict is adequate."},
+            draws=True,
+            negative=_no_effect,
         ),
         "next": Command(
             ("next_poses",), needed=("output",), negative=lambda found, given: not (found.poses or found.motion)
@@ -90,18 +93,18 @@ COMMANDS: dict[str, dict[str, Command]] = {  # by their group in the help
             ("compensate", "export_compensator", "feed_forward"),
             _compensator,
             ("export", "trajectory"),
-            flags={"trajectory": "TARGETS are samples in time: joints and torques, of a result in motion"},
+            flags={"trajectory": "TARGETS are samples in time: joints and torques, of a result in motion."},
             receipt=receipts.commanded,
         ),
-        "validate": Command(("validate",)),
+        "validate": Command(("validate",), draws=True),
         "certificate": Command(("certificate",), needed=("output",)),
-        "compare": Command(("compare",)),
+        "compare": Command(("compare",), draws=True),
         "batch": Command(("batch",)),
     },
     "Printers": {"import": Command(())},
     "Review": {
         "derivation": Command(("derivation",)),
-        "claims": Command(("claims",)),
+        "claims": Command(("claims",), receipt=receipts.claims),
         "reproduce": Command(("reproduce",)),
         "kernels": Command(("kernels",), negative=lambda found, given: not found.done),
     },

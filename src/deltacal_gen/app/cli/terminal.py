@@ -10,6 +10,7 @@ from contextlib import contextmanager
 from typing import Any
 
 from rich.console import Console
+from rich.markup import escape
 
 
 class Terminal:
@@ -45,7 +46,7 @@ class Terminal:
         """Print an error: what sort it is, and its words; the JSON holds more."""
         if self.as_json:
             self._write({"schema": "deltacal.error/1", "error": words, **more})
-        self._aside.print(f"[bold red]{what}:[/bold red] {words.replace('[', chr(92) + '[')}", soft_wrap=True)
+        self._aside.print(f"[bold red]{what}:[/bold red] {escape(words)}", soft_wrap=True)
 
     def show(self, answer: Any) -> None:
         """Print an answer, or several, as it was asked for."""

@@ -49,12 +49,10 @@ PICTURES = (".svg", ".png", ".pdf")
 
 def silent(text: str) -> None:
     """Report no stage of the work."""
-    return None
 
 
 def untold(done: int, total: int, label: str) -> None:
     """Report no task of a run as done."""
-    return None
 
 
 def as_robot(robot: AnyRobot) -> Robot:
@@ -166,9 +164,7 @@ def write_json(answer: Answer, path: Source) -> None:
     write_files({Path(path): answer.to_json()})
 
 
-def make_folder(folder: Path) -> None:
-    """Make a folder, if it is not there."""
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise InputError(f"the folder cannot be made: {error.strerror}.", "Choose another.", file=folder) from None
+def check_folder(path: Source) -> None:
+    """Refuse a folder for outputs that is a file."""
+    if Path(path).exists() and not Path(path).is_dir():
+        raise InputError("this is a file, and a folder is needed.", "Choose another name.", file=path)

@@ -6,7 +6,7 @@ import shutil
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from deltacal_gen.app.commands.common import Progress, Source, make_folder, silent
+from deltacal_gen.app.commands.common import Progress, Source, check_folder, silent
 from deltacal_gen.errors import InputError
 
 if TYPE_CHECKING:
@@ -34,8 +34,7 @@ def demo(*, output: Source = "demo", progress: Progress = silent) -> Demo:
     """
     from deltacal_gen.app import demonstration
 
-    if Path(output).exists() and not Path(output).is_dir():
-        raise InputError("this is a file, and the demonstration needs a folder.", "Choose another name.", file=output)
+    check_folder(output)
     return demonstration.run(Path(output), progress)
 
 
@@ -80,12 +79,13 @@ def manual_examples(folder: Source) -> list[Path]:
     """
     from deltacal_gen.app.demonstration import example
 
+    check_folder(folder)
     sources = [p for p in sorted(example("").glob("*/*")) if p.is_file() and p.suffix not in (".png", ".svg")]
     copies = {Path(folder) / p.parent.name / p.name: p for p in sources}
     if changed := next((c for c, p in copies.items() if c.exists() and c.read_bytes() != p.read_bytes()), None):
         raise InputError("this is there already, and is not as it comes.", "Choose another folder.", file=changed)
     for copy, source in copies.items():
-        make_folder(copy.parent)
+        copy.parent.mkdir(parents=True, exist_ok=True)
         if not copy.exists():
             shutil.copyfile(source, copy)
     return sorted({copy.parent for copy in copies})

@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Literal
 
 from deltacal_gen.app.commands.common import (
     Source,
@@ -21,6 +21,7 @@ from deltacal_gen.errors import InputError, UsageError
 if TYPE_CHECKING:
     from deltacal_gen.app.commands.common import AnyRecording, AnyRobot
     from deltacal_gen.execution import Told
+    from deltacal_gen.planning.machines import Study as Machines
     from deltacal_gen.results.batch import Batch
     from deltacal_gen.results.study import Study
 
@@ -90,6 +91,7 @@ def study(
     deltacal study robot.toml --plan targets.csv --noise 0.01 -o study.json --report study.html
     """
     from deltacal_gen.files.sidecar import LEAST, MOST
+    from deltacal_gen.planning import studies
 
     if in_motion(plan) is not None:
         raise UsageError(
@@ -101,8 +103,9 @@ def study(
         raise UsageError(f"trials and diagnoses must be at least 1, {bounds}, and seed an integer from 0.")
     check_output(output, robot, plan, *suspect)
     check_output(report, robot, plan, output, *suspect)
-    how = {"workers": workers, "cluster": cluster, "directory": resume, "told": told}
-    found = _of_poses(robot, plan, model, machine, noise, suspect, seed, trials, diagnoses, **how)
+    machines, chosen = _machines(robot, plan, model, machine, noise, suspect, seed)
+    where = {"workers": workers, "cluster": cluster, "directory": resume}
+    found = studies.conduct(machines, trials, diagnoses, model=chosen, told=told, **where)
     if output is not None:
         write_json(found, output)
     if report is not None:
@@ -113,7 +116,7 @@ def study(
     return found
 
 
-def _of_poses(
+def _machines(
     robot: AnyRobot,
     plan: AnyRecording,
     model: str | int | None,
@@ -121,11 +124,8 @@ def _of_poses(
     noise: float | None,
     suspects: Sequence[Source],
     seed: int,
-    trials: int,
-    diagnoses: int,
-    **how: Any,
-) -> Study:
-    """Return the study of a plan of poses."""
+) -> tuple[Machines, str]:
+    """Return the machines of a study of a plan of poses, and the model that is calibrated."""
     from deltacal_gen.files.robot import for_model
     from deltacal_gen.identification.checks import chosen_model
     from deltacal_gen.instrument.kind import TURN_MM
@@ -133,7 +133,7 @@ def _of_poses(
     from deltacal_gen.machine.registry import mechanism_of
     from deltacal_gen.machine.values import Measurement
     from deltacal_gen.physics import simulation
-    from deltacal_gen.planning import machines, studies
+    from deltacal_gen.planning.machines import Study as Machines
 
     model = None if model is None else str(model)
     robot = as_robot(robot)
@@ -156,15 +156,14 @@ def _of_poses(
             file=poses.path,
         )
     concealed = tuple(simulation.read_truth(file, robot).terms for file in suspects)
-    made = machines.Study(robot, poses, (), (), 0.0, 0.0, suspects=concealed, seed=seed)
+    made = Machines(robot, poses, (), (), 0.0, 0.0, suspects=concealed, seed=seed)
     sigma = kind.sigma(said, made.instrument.scale) or 0.0
     turns = (poses.measurement.sigma_rad or sigma / TURN_MM) if kind.rotations else 0.0
     made = dataclasses.replace(made, sigma=sigma, turn_sigma=turns)
     chosen = chosen_model(mechanism, made.problem, poses, model)
     names = mechanism.model(chosen)
     wrong = names if machine is None else mechanism.model(machine)
-    made = dataclasses.replace(made, names=names, errors=wrong)
-    return studies.conduct(made, trials, diagnoses, model=chosen, **how)
+    return dataclasses.replace(made, names=names, errors=wrong), chosen
 
 
 def batch(

@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from deltacal_gen.app import checkout
-from deltacal_gen.app.commands.common import Progress, Source, check_output, silent
-from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.app.commands.common import Progress, Source, check_folder, check_output, silent
+from deltacal_gen.errors import UsageError
 
 if TYPE_CHECKING:
     from deltacal_gen.results.registered import Claims, Effects, Mechanisms
@@ -47,20 +47,13 @@ def models(name: str | None = None) -> Mechanisms:
             models={name: tuple(names) for name, names in m.models.items()},
             parameters=tuple(
                 SourceError(
-                    name=p.name,
-                    unit=file_unit(p.unit),
-                    meaning=p.meaning,
-                    typical=p.typical / to_internal(p.unit),
+                    name=p.name, unit=file_unit(p.unit), meaning=p.meaning, typical=p.typical / to_internal(p.unit)
                 )
                 for p in m.parameters
             ),
             geometry=tuple(
                 Dimension(
-                    key=g.key,
-                    table=g.table,
-                    unit=file_unit(g.unit),
-                    meaning=g.meaning,
-                    required=g.default is None,
+                    key=g.key, table=g.table, unit=file_unit(g.unit), meaning=g.meaning, required=g.default is None
                 )
                 for g in m.geometry
             ),
@@ -174,8 +167,7 @@ def reproduce(paper: str, *, output: Source, progress: Progress = silent) -> Rep
     from deltacal_gen.results.written import Reproduction
 
     folder = Path(output)
-    if folder.exists() and not folder.is_dir():
-        raise InputError("this is a file, and the page needs a folder.", "Choose another name.", file=folder)
+    check_folder(folder)
     done = checkout.run_review("reproduce", paper, "-o", folder.absolute(), progress=progress)
     files = tuple(str(folder / Path(file).name) for file in done["files"])
     return Reproduction(files=files, remade=tuple(done["remade"]))
@@ -214,8 +206,8 @@ def derivation(
     target = Path(output)
     if model is not None:
         check_output(output, ending=(".html", ".md"))
-    elif target.exists() and not target.is_dir():
-        raise InputError("this is a file, and the reports need a folder.", "Choose another name.", file=target)
+    else:
+        check_folder(target)
     chosen = () if model is None else (model,)
     task = ("derivation", *chosen, "-o", target.absolute())
     files = checkout.run_review(*task, deriving=True, progress=progress)
