@@ -46,7 +46,7 @@ class Claim(Table):
     statement : str
         What the paper claims.
     status : str
-        *proved* symbolically, *verified* numerically, *loose* (true as it is meant, not as it is worded),
+        *proved* symbolically, *verified* numerically, *imprecise* (true as it is meant, not as it is worded),
         *contradicted*, *convention-dependent* (true only under a convention that the paper leaves open), *not
         reproducible* or *undecided*.
     printed, correct : str

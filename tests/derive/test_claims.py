@@ -69,7 +69,7 @@ def test_no_claim_stands_twice(paper: str) -> None:
 @pytest.mark.parametrize("paper", ledger.paper_names())
 def test_what_is_contradicted_is_corrected(paper: str) -> None:
     for claim in ledger.load_paper(paper).claims:
-        if claim.status in ("contradicted", "loose"):
+        if claim.status in ("contradicted", "imprecise"):
             assert claim.printed != claim.correct, claim
 
 
@@ -81,7 +81,7 @@ def test_what_is_contradicted_is_corrected(paper: str) -> None:
     [
         ({"wher": "eq. (1)"}, r"key 'wher' is not known"),
         ({"paper": "other"}, r"'paper' is the file's name"),
-        ({"status": "wrong"}, r"is 'wrong': one of proved, verified, loose, contradicted"),
+        ({"status": "wrong"}, r"is 'wrong': one of proved, verified, imprecise, contradicted"),
         ({"where": "eq. 3"}, r"is 'eq. 3': 'eq. \(N\)', 'Table N'"),
         ({"where": "section 3.2, end"}, r"'section N' was expected"),
         ({"evidence": ""}, r"key 'evidence' is '': one line"),
@@ -149,7 +149,7 @@ def test_the_answer_ends_with_counts(monkeypatch: pytest.MonkeyPatch, capsys: py
         ["status", "archimedes", "euclid"],
         ["proved", "0", "1"],
         ["verified", "1", "0"],
-        ["loose", "0", "0"],
+        ["imprecise", "0", "0"],
         ["contradicted", "0", "1"],
     ]
     assert lines[-1] == ["all", "1", "2"]

@@ -9,7 +9,9 @@ from deltacal_gen.results.document import Document, Table, Text
 
 SHOWN = 8  # parameters of a model that stand in a line
 
-Status = Literal["proved", "verified", "loose", "contradicted", "convention-dependent", "not reproducible", "undecided"]
+Status = Literal[
+    "proved", "verified", "imprecise", "contradicted", "convention-dependent", "not reproducible", "undecided"
+]
 STATUSES: tuple[str, ...] = get_args(Status)  # of claims
 
 
