@@ -240,6 +240,7 @@ def test_every_deciding_test_has_an_outcome_a_day_figures_and_the_hash_of_its_so
     assert float(end.figures[0].found.split(" == ")[0]) == pytest.approx(475.34, abs=0.005)
 
 
+@pytest.mark.walk
 def test_the_figures_of_a_test_are_what_pytest_compared(tmp_path: Path) -> None:
     """Run apart: pytest within pytest would compile and capture for both."""
     file = tmp_path / "test_some.py"

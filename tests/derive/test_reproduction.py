@@ -56,6 +56,7 @@ def test_table_1_of_traslosheros_shows_what_is_printed_beside_what_is_simulated(
     assert of["paper: calibrated"][-3:] == [5.31, 0.31, -6.26]
 
 
+@pytest.mark.walk
 def test_bai_is_remade_on_one_page_twice_alike(tmp_path: Path) -> None:
     """Every table and figure of the ledger has its section with its verdicts; the same call gives the same bytes."""
     answer = dc.reproduce("bai", output=tmp_path)

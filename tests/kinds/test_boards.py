@@ -163,6 +163,7 @@ def test_a_machine_is_found_by_images_with_wrong_points(robot: Robot, place: str
     assert result["train_rms_px"] == pytest.approx(result["train_rms_mm"] / result["unit_mm"])
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize("work", [identify, diagnose])
 def test_images_that_show_nothing_of_the_machine_are_refused(robot: Robot, work: Callable[..., object]) -> None:
     good = seen(robot, Measurement(kind="board image", sigma_px=0.02, camera=Camera(**LENS)), count=12)

@@ -90,6 +90,7 @@ MISTAKES = {
 }
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize("words", MISTAKES)
 def test_a_mistake_in_joints_that_touched_is_named(tmp_path: Path, words: str) -> None:
     path = touched(tmp_path, SOCKETS, sigma=2e-6, seed=1)

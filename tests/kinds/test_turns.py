@@ -68,6 +68,7 @@ def test_angles_that_are_turns_are_told_and_read(read: Path, tmp_path: Path) -> 
     assert values[0] == pytest.approx(values[1], abs=1e-3)
 
 
+@pytest.mark.walk
 def test_rotations_that_tell_nothing_are_told(read: Path) -> None:
     """Positions alone then know the machine: no answer passes over that rotations were read, and not used."""
     found = dc.identify(read / "robot.toml", read / "nonsense.csv")

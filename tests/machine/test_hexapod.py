@@ -147,6 +147,7 @@ def measured(drawn: Robot, size: float, seed: int, *terms: Term, noise: float = 
     return simulate(drawn, targets, errors, terms=terms, noise_mm=noise, noise_rad=noise / 60, rng=rng)
 
 
+@pytest.mark.walk
 def test_a_leg_that_yields_is_named() -> None:
     """Whether its drive yields or its rod is one number: both push along the leg."""
     drawn = dataclasses.replace(robot(None), masses=Masses(proximal=2.0, distal_rod=1.0, platform=60.0))

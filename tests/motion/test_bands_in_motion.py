@@ -82,6 +82,7 @@ def test_bands_hold_what_drives_give_on_other_movements(setting: str, tmp_path: 
     assert 0.93 <= np.mean(parts) <= 0.97, parts
 
 
+@pytest.mark.walk
 def test_bands_are_as_wide_as_the_noise_where_much_is_known_and_wider_where_little_is(tmp_path: Path, run: Run) -> None:
     found = {}
     for name, how in {"much": {}, "little": {"runs": 1, "seconds": 6.0}}.items():
@@ -129,6 +130,7 @@ def test_a_covariance_is_kept_by_its_factor() -> None:
     np.testing.assert_allclose(L @ L.T, A @ A.T, rtol=1e-7, atol=1e-7)
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize("fit", [dc.identify, dc.diagnose])
 def test_what_joints_that_stood_did_not_show_is_not_made_up_of_their_noise(
     fit: Callable[..., Any], tmp_path: Path, run: Run

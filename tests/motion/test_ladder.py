@@ -125,6 +125,7 @@ def test_one_short_movement_tells_usual_friction_and_nothing_that_is_not_there(
     assert found == true if whole else found < true
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize("delay", [0.06, -0.12])
 def test_a_long_delay_is_found_in_quick_samples_too(
     delay: float, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

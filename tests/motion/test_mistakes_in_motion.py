@@ -108,6 +108,7 @@ def test_all_drives_in_another_unit_are_said_where_the_file_states_bodies(stated
             command(tmp_path / "robot.toml", path)
 
 
+@pytest.mark.walk
 def test_where_it_states_none_they_would_carry_more_than_steel(free: Path, tmp_path: Path) -> None:
     path = changed(free, tmp_path, times(1e3, 1, 2, 3))
     doubts = dc.identify(tmp_path / "robot.toml", path)["doubts"]

@@ -55,6 +55,7 @@ def diagnosed(recorded: Path) -> Any:
 # ------------------------------------------------------------------------------------------------------------- ladder
 
 
+@pytest.mark.walk
 def test_friction_is_named_where_it_is_and_nowhere_else(diagnosed: Any) -> None:
     assert diagnosed["verdict"] == "missing_physics"
     assert named(diagnosed) == {"coulomb_friction": [1, 2], "viscous_friction": [1, 3]}
@@ -66,6 +67,7 @@ def test_friction_is_named_where_it_is_and_nowhere_else(diagnosed: Any) -> None:
             assert p["unit"] == {"coulomb": "Nm", "viscous": "Nm s/deg"}[p["name"]]
 
 
+@pytest.mark.walk
 def test_drives_of_one_make_have_one_friction(diagnosed: Any, tmp_path: Path) -> None:
     """Surer than that of any joint; where joints differ each has its own alone."""
     assert all("common" not in effect for effect in diagnosed["effects"])
@@ -80,6 +82,7 @@ def test_drives_of_one_make_have_one_friction(diagnosed: Any, tmp_path: Path) ->
     assert "all alike" in (tmp_path / "page.html").read_text()
 
 
+@pytest.mark.walk
 def test_what_is_left_is_noise_and_told_joint_by_joint(diagnosed: Any) -> None:
     final, before = diagnosed["final"], diagnosed["baseline"]
     assert before["model"] == "serial/rigid"
@@ -105,6 +108,7 @@ def test_readings_of_other_rows_are_doubted(recorded: Path, tmp_path: Path) -> N
     assert "of other rows" in doubted["doubts"][0]
 
 
+@pytest.mark.walk
 def test_a_machine_without_friction_is_adequate(tmp_path: Path) -> None:
     path = written(tmp_path, lambda states, load: 0 * load, seed=1)
     found = dc.diagnose(tmp_path / "robot.toml", path)
@@ -145,6 +149,7 @@ def test_every_law_of_one_joint_is_named_with_its_size(tmp_path: Path, name: str
         assert abs(p["value"] - truth[p["name"]]) <= allowed + 0.01 * abs(truth[p["name"]]), p
 
 
+@pytest.mark.walk
 def test_currents_tell_torques_where_their_constant_is_known(recorded: Path, diagnosed: Any, tmp_path: Path) -> None:
     constants = np.array([12.0, 8.0, 5.0])  # Nm/A
     lines = [line.split(",") for line in recorded.read_text().splitlines()]
@@ -170,6 +175,7 @@ def test_currents_tell_torques_where_their_constant_is_known(recorded: Path, dia
         dc.diagnose(tmp_path / "robot.toml", path)
 
 
+@pytest.mark.walk
 def test_a_payload_that_is_not_what_was_written_is_told_with_its_centre(tmp_path: Path) -> None:
     truth = '[[effects]]\nname = "payload_error"\nmass = 0.6\ncom_x = 12.0\ncom_y = -20.0\ncom_z = 30.0\n'
     friction = '[[effects]]\nname = "coulomb_friction"\nlimbs = [2]\ncoulomb = 3.0\n'
@@ -184,6 +190,7 @@ def test_a_payload_that_is_not_what_was_written_is_told_with_its_centre(tmp_path
     assert "that is not what was written" in found["summary"]
 
 
+@pytest.mark.walk
 def test_of_several_setups_the_one_that_carries_something_is_told(tmp_path: Path) -> None:
     """One that carries nothing has no centre, and bodies that are free are no more right than those of the file."""
     path, made = (
@@ -204,6 +211,7 @@ def test_of_several_setups_the_one_that_carries_something_is_told(tmp_path: Path
     assert {p["setup"] for p in found["effects"][0]["parameters"]} == {"loaded"}
 
 
+@pytest.mark.walk
 def test_a_delay_is_found_beside_bodies_that_are_known(tmp_path: Path) -> None:
     """Most of the torque is known then: its derivative tells the delay as well."""
     truth = '[[effects]]\nname = "latency"\nlimbs = [2]\ndelay = 0.006\n'
@@ -215,6 +223,7 @@ def test_a_delay_is_found_beside_bodies_that_are_known(tmp_path: Path) -> None:
     assert found["known"] is not None
 
 
+@pytest.mark.walk
 def test_dry_friction_that_comes_late_is_no_friction_that_builds_up(tmp_path: Path) -> None:
     """20 ms at every reversal look like a way over which friction builds up."""
     path = written(tmp_path, usual, delay=(0.02, 0.0, 0.0))
@@ -240,6 +249,7 @@ KEYS = {  # of the contract: sections 4 and 6, and 8 of its second part
 }
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize("kind", KEYS)
 def test_answers_have_the_keys_of_machines_at_rest(recorded: Path, diagnosed: Any, kind: str, tmp_path: Path) -> None:
     found = diagnosed if kind == "diagnosis" else dc.identify(recorded.with_name("robot.toml"), recorded)
@@ -256,6 +266,7 @@ def test_answers_have_the_keys_of_machines_at_rest(recorded: Path, diagnosed: An
         dc.compensate(found, recorded)
 
 
+@pytest.mark.walk
 def test_what_was_looked_at_and_not_named_is_told(diagnosed: Any) -> None:
     rejected = {r["name"]: r for r in diagnosed["rejected"]}
     assert {"quadratic_friction", "load_friction", "torque_offset", "torque_ripple"} <= set(rejected)
@@ -272,6 +283,7 @@ def test_what_was_looked_at_and_not_named_is_told(diagnosed: Any) -> None:
     assert shares == sorted(shares, reverse=True)
 
 
+@pytest.mark.walk
 def test_the_page_shows_every_joint_before_and_after(recorded: Path, diagnosed: Any, tmp_path: Path) -> None:
     page = motion.motion(read_answer(diagnosed | {}))  # type: ignore[arg-type]
     assert page.count("<svg") == 1 + 2 * 3  # the ladder; each joint over time, and what is left
@@ -288,12 +300,14 @@ def test_the_page_shows_every_joint_before_and_after(recorded: Path, diagnosed: 
     assert "The ladder" not in text
 
 
+@pytest.mark.walk
 def test_an_answer_in_its_old_form_is_refused(diagnosed: Any) -> None:
     old = diagnosed | {"schema": "deltacal.motion-diagnosis/1"}
     with pytest.raises(InputError, match=r"this version reads deltacal.diagnosis/1\. Run diagnose again"):
         dc.predict(old, "recording.csv")
 
 
+@pytest.mark.walk
 def test_what_changed_between_two_days_is_told_joint_by_joint(tmp_path: Path, diagnosed: Any) -> None:
     path = written(tmp_path, lambda s, load: usual(s, load) + np.array([0.0, 1.0, 0.0]) * np.sign(s[1]), seed=5)
     found = dc.compare(diagnosed, dc.diagnose(tmp_path / "robot.toml", path))
@@ -304,6 +318,7 @@ def test_what_changed_between_two_days_is_told_joint_by_joint(tmp_path: Path, di
 # ------------------------------------------------------------------------------------------------------ the way around
 
 
+@pytest.mark.walk
 def test_a_model_predicts_samples_it_has_not_seen(tmp_path: Path, diagnosed: Any) -> None:
     path = written(tmp_path, usual, runs=1, seed=7, seconds=8.0)
     found = dc.validate(diagnosed.to_dict(), path, report=tmp_path / "validation.html")
@@ -326,6 +341,7 @@ def test_a_model_predicts_samples_it_has_not_seen(tmp_path: Path, diagnosed: Any
     assert 0 < np.isnan(known).sum() < 0.1 * known.size  # at rest, where the joints turn back
 
 
+@pytest.mark.walk
 def test_a_validation_says_what_it_is_no_check_of(tmp_path: Path, recorded: Path, diagnosed: Any) -> None:
     dc.validate(diagnosed.to_dict(), recorded, report=tmp_path / "seen.html")
     assert "no check of it" in (tmp_path / "seen.html").read_text()
@@ -352,6 +368,7 @@ def could_be_built(body: np.ndarray) -> bool:
     return bool(np.linalg.eigvalsh(pseudo).min() >= -1e-9 * np.abs(pseudo).max())
 
 
+@pytest.mark.walk
 def test_a_diagnosis_says_what_is_known_of_bodies_beside_the_friction(recorded: Path, diagnosed: Any) -> None:
     rigid, inertia = Rigid(robot()), bodies(LINKS).ravel()
     assert diagnosed["rank"] == len(diagnosed["parameters"]) == rigid.common.rank == 15
@@ -376,6 +393,7 @@ SINCE = (  # of diagnoses that older versions wrote nothing stands in these
 )
 
 
+@pytest.mark.walk
 def test_a_diagnosis_that_an_older_version_wrote_predicts_the_same(diagnosed: Any, recorded: Path) -> None:
     older = {name: value for name, value in json.loads(json.dumps(diagnosed.to_dict())).items() if name not in SINCE}
     for effect in older["effects"]:
@@ -505,6 +523,7 @@ def test_a_base_leaves_out_what_is_never_seen() -> None:
     assert found.made_up == pytest.approx(np.array([[1, 0, 2, 0], [0, 1, -1, 0]]), abs=1e-12)
 
 
+@pytest.mark.walk
 def test_options_of_poses_are_refused(recorded: Path, diagnosed: Any, tmp_path: Path) -> None:
     with pytest.raises(UsageError, match="means nothing for a recording in motion"):
         dc.identify(recorded.with_name("robot.toml"), recorded, as_distance=True)
@@ -544,6 +563,7 @@ def test_samples_that_hang_together_are_counted_as_one() -> None:
     assert regression.together(red, piece, used, STEP) == pytest.approx((1 + rho) / (1 - rho), rel=0.15)
 
 
+@pytest.mark.walk
 def test_samples_at_rest_take_no_part(diagnosed: Any) -> None:
     below = diagnosed["motion"]["at_rest_below"]
     assert all(0.1 < v < 1.0 for v in below)

@@ -27,6 +27,7 @@ def drives(load_friction: float, seed: int) -> Friction:
     return added
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize(("size", "named"), [(0.03, [1, 2, 3]), (0.0, [])])
 def test_what_no_joint_pays_for_alone_all_pay_for_together(size: float, named: list[int], tmp_path: Path) -> None:
     session = session_of(written(tmp_path, drives(size, 7), runs=5, seed=7, seconds=8.0))

@@ -25,6 +25,7 @@ def recorded(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return written(tmp_path_factory.mktemp("usual"), usual)
 
 
+@pytest.mark.walk
 def test_readings_that_come_late_are_told_with_their_delay(tmp_path: Path, commanded: Path) -> None:
     """Of joint 2 alone, by less than a sample and by more; what a model with a delay predicts comes as late."""
     second = np.array([0.0, 1.0, 0.0])
@@ -43,6 +44,7 @@ def test_readings_that_come_late_are_told_with_their_delay(tmp_path: Path, comma
     assert found["effects"][-1]["title"] == "readings that come late"
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize("stated", [True, False])
 @pytest.mark.parametrize("coulomb", [0.0, 4.0])
 def test_what_rounding_leaves_is_nothing(tmp_path: Path, stated: bool, coulomb: float) -> None:
@@ -68,6 +70,7 @@ def test_a_joint_that_stands_has_no_dry_friction(tmp_path: Path) -> None:
     assert np.abs(np.abs(done.readings - plain.readings) - [5.0, 5.0, 0.0]).max() < 1e-9
 
 
+@pytest.mark.walk
 def test_readings_that_come_early_are_told_so(tmp_path: Path) -> None:
     """Where a controller filters the joints, their drives are ahead of what it writes."""
     found = dc.diagnose(tmp_path / "robot.toml", written(tmp_path, usual, seed=6, delay=(0.0, -0.03, 0.0)))

@@ -6,11 +6,13 @@ from itertools import count
 from pathlib import Path
 
 import numpy as np
+import pytest
 
 import deltacal_gen as dc
 from tests.support.motion_recordings import DEG, STEP, usual, written
 
 
+@pytest.mark.walk
 def test_what_no_rung_explains_is_told_with_its_joint(tmp_path: Path) -> None:
     """A stop in which the rest of a movement is lost: torque that depends on the ways it came."""
     second = np.array([0.0, 1.0, 0.0])
@@ -28,6 +30,7 @@ def test_what_no_rung_explains_is_told_with_its_joint(tmp_path: Path) -> None:
     assert [u["limb"] for u in found["unexplained"]] == [2]
 
 
+@pytest.mark.walk
 def test_friction_that_runs_in_depends_on_the_time(tmp_path: Path) -> None:
     """In proportion to the speed, whose mean is none: what is left does not go with the time by itself."""
     second, run = np.array([0.0, 1.0, 0.0]), count()
@@ -40,6 +43,7 @@ def test_friction_that_runs_in_depends_on_the_time(tmp_path: Path) -> None:
     assert [(u["limb"], u["channel"]) for u in found["unexplained"]] == [(2, "time")]
 
 
+@pytest.mark.walk
 def test_what_is_no_noise_and_depends_on_nothing_recorded_is_not_adequate(tmp_path: Path) -> None:
     """Drag that comes and goes by itself: slow against the samples, told by nothing in the file."""
     slow = np.repeat(np.random.default_rng(9).standard_normal(13), 100)[50:1250]
@@ -60,6 +64,7 @@ def test_a_movement_too_short_to_tell_is_told_so(tmp_path: Path) -> None:
     assert longer["run"] == ["q", "qd"]  # of which `next` makes a movement
 
 
+@pytest.mark.walk
 def test_what_each_run_has_of_its_own_is_told(tmp_path: Path) -> None:
     """A sensor whose zero is another one in every run: no function of anything recorded foretells it."""
     zeros = iter([0.8, -1.5, 2.0, -0.6])

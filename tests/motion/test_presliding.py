@@ -43,6 +43,7 @@ def found(recording: Path) -> Any:
     return dc.diagnose(recording.with_name("robot.toml"), recording)
 
 
+@pytest.mark.walk
 def test_it_is_named_where_it_is_with_its_stiffness(found: Any) -> None:
     assert named(found) == {"coulomb_friction": [1, 2, 3], "viscous_friction": [1, 2, 3], "presliding_friction": [2]}
     told = {p["name"]: p for e in found["effects"] if e["name"] == "presliding_friction" for p in e["parameters"]}
@@ -57,6 +58,7 @@ def test_it_is_named_where_it_is_with_its_stiffness(found: Any) -> None:
     assert found["final"]["heldout_rms_by_joint"][1] < 1.1 * NOISE
 
 
+@pytest.mark.walk
 def test_what_it_remembers_is_predicted(found: Any, tmp_path: Path) -> None:
     path = written(tmp_path, dahl, runs=1, seed=7)
     assert max(dc.validate(found.to_dict(), path)["rms_by_joint"]) < 1.15 * NOISE
@@ -105,6 +107,7 @@ def yielding(q: np.ndarray) -> np.ndarray:
     return 0.7 * z + 0.3 * (q - q.mean()) / np.std(q)
 
 
+@pytest.mark.walk
 def test_hysteresis_of_another_shape_is_not_explained(tmp_path: Path) -> None:
     def friction(states: np.ndarray, load: np.ndarray) -> np.ndarray:
         return np.outer(1.5 * yielding(states[0, :, 1] / DEG), [0.0, 1.0, 0.0])

@@ -99,6 +99,7 @@ def commands(block: Block) -> Iterator[list[str]]:
 # ------------------------------------------------------------------------------------------------- what a page shows
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize("topic", PAGES)
 def test_blocks_run_and_print_what_the_page_shows(
     topic: str, run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

@@ -39,6 +39,7 @@ def without_effects(found: dict[str, Any], verdict: str) -> dict[str, Any]:
     return found | nothing
 
 
+@pytest.mark.walk
 def test_the_page_says_what_was_found_and_what_to_do(found: dict[str, Any]) -> None:
     page = report.diagnosis(read_result(found))
     assert_self_contained(page)
@@ -55,6 +56,7 @@ def test_the_page_says_what_was_found_and_what_to_do(found: dict[str, Any]) -> N
     assert page.count("<svg") == 5  # the bars, the channel and the map, before and after
 
 
+@pytest.mark.walk
 def test_what_the_effect_does_is_shown_on_the_joint_that_has_it(found: dict[str, Any]) -> None:
     picked = figures.seen(read_result(found))
     assert (picked.label, picked.title) == ("error of joint 2, deg", "without backlash")
@@ -65,6 +67,7 @@ def test_what_the_effect_does_is_shown_on_the_joint_that_has_it(found: dict[str,
     assert np.abs(picked.after).max() < 0.4 * half
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize("verdict", ["adequate", "unexplained"])
 def test_a_page_without_effects(found: dict[str, Any], verdict: str) -> None:
     page = report.diagnosis(read_result(without_effects(found, verdict)))
@@ -73,6 +76,7 @@ def test_a_page_without_effects(found: dict[str, Any], verdict: str) -> None:
     assert page.count("<svg") == 2
 
 
+@pytest.mark.walk
 def test_what_to_measure_next_is_a_table_to_type_in(found: dict[str, Any]) -> None:
     poses = [{"pose": "next1", "q1_deg": 1.25, "payload_kg": 3.0}, {"pose": "next2", "q1_deg": -7.5, "payload_kg": 0.0}]
     found["next_measurements"] = [
@@ -83,6 +87,7 @@ def test_what_to_measure_next_is_a_table_to_type_in(found: dict[str, Any]) -> No
     assert "pose q1_deg payload_kg next1 1.25 3.0 next2 -7.5 0.0" in text
 
 
+@pytest.mark.walk
 def test_what_is_written_in_files_is_not_code(found: dict[str, Any]) -> None:
     found["robot"]["robot"]["name"] = "<script>cell</script> & co"
     found["gross_errors"] = [7]
@@ -92,6 +97,7 @@ def test_what_is_written_in_files_is_not_code(found: dict[str, Any]) -> None:
     assert "line 7 of the recording" in words(page)
 
 
+@pytest.mark.walk
 def test_readings_of_one_number_have_no_map(found: dict[str, Any]) -> None:
     residuals = found["residuals"]
     for key in ("before_mm", "after_mm"):
@@ -129,6 +135,7 @@ def test_channels_have_names_for_readers() -> None:
     assert figures.channel_label("humidity") == "humidity"
 
 
+@pytest.mark.walk
 def test_one_sheet_as_a_file(found: dict[str, Any], tmp_path: Any) -> None:
     for name, data in {"a.svg": found, "b.svg": found, "c.svg": without_effects(found, "adequate")}.items():
         figures.write(read_result(data), tmp_path / name)

@@ -63,6 +63,7 @@ def found(request: Any, tmp_path_factory: Any) -> tuple[str, Path, Any]:
     return request.param, path, dc.diagnose(folder / "robot.toml", path)
 
 
+@pytest.mark.walk
 def test_a_law_is_told_with_its_numbers_and_by_no_name(found: tuple[str, Path, Any]) -> None:
     name, _, diagnosis = found
     _, expression, numbers = CURVES[name]
@@ -82,6 +83,7 @@ def test_a_law_is_told_with_its_numbers_and_by_no_name(found: tuple[str, Path, A
     assert max(r["gain_chi2"] for r in diagnosis["rejected"]) < 20  # beside the law, not before it
 
 
+@pytest.mark.walk
 def test_it_predicts_runs_that_it_has_not_seen(found: tuple[str, Path, Any], tmp_path: Path) -> None:
     name, _, diagnosis = found
     fresh = written(tmp_path, on_third(CURVES[name][0]), runs=2, seed=8)
@@ -90,6 +92,7 @@ def test_it_predicts_runs_that_it_has_not_seen(found: tuple[str, Path, Any], tmp
     assert dc.validate(kept, fresh)["rms_by_joint"][2] == pytest.approx(NOISE, rel=0.1)
 
 
+@pytest.mark.walk
 def test_rows_beyond_where_it_was_found_are_told(found: tuple[str, Path, Any], tmp_path: Path) -> None:
     """Within a recording that it was found in there are none; a joint that goes further has some."""
     _, path, diagnosis = found
@@ -111,6 +114,7 @@ def test_rows_beyond_where_it_was_found_are_told(found: tuple[str, Path, Any], t
     assert dc.validate(diagnosis, other)["outside_law"] == beyond
 
 
+@pytest.mark.walk
 def test_it_is_written_as_the_file_of_an_effect_that_says_the_same(found: tuple[str, Path, Any]) -> None:
     _, _, diagnosis = found
     space: dict[str, Any] = {}
@@ -125,6 +129,7 @@ def test_it_is_written_as_the_file_of_an_effect_that_says_the_same(found: tuple[
     assert derived(effect)  # its functions are there to be emitted
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize(
     ("said", "units", "size"), [(False, ("A/rad", "rad"), -30.0 / 4.0), (True, ("N mm/rad", "rad"), -30e3)]
 )
@@ -153,6 +158,7 @@ def test_a_load_that_is_read_as_a_current_counts_in_amperes() -> None:
     assert [written_unit(as_torque[c]) for c in ("c1", "c2")] == ["s N mm/rad", "N mm"]
 
 
+@pytest.mark.walk
 def test_friction_that_the_load_changes_is_not_left_to_the_nearest_effect(tmp_path: Path) -> None:
     """At some loads, not in proportion: it was no noise, and of nothing recorded, beside dry friction."""
     tight = on_third(lambda s, load: 1.5 * np.sign(s[1]) * np.exp(-(((load - 45.0) / 6.0) ** 2)))
@@ -163,6 +169,7 @@ def test_friction_that_the_load_changes_is_not_left_to_the_nearest_effect(tmp_pa
     assert diagnosis["final"]["heldout_rms_by_joint"][2] < 1.2 * NOISE
 
 
+@pytest.mark.walk
 def test_what_another_joint_makes_is_no_law_of_its_own(tmp_path: Path) -> None:
     """A cable that the third joint pulls on as the first one turns: nothing that the third has tells it."""
     cable = np.array([0.0, 0.0, 1.0])
@@ -172,6 +179,7 @@ def test_what_another_joint_makes_is_no_law_of_its_own(tmp_path: Path) -> None:
     assert [u["limb"] for u in diagnosis["unexplained"]] == [3]
 
 
+@pytest.mark.walk
 def test_what_runs_in_is_no_law(tmp_path: Path) -> None:
     """Of the time no law is made: what wanders would be met by any function of it."""
     start = iter(range(100))
@@ -184,6 +192,7 @@ def test_what_runs_in_is_no_law(tmp_path: Path) -> None:
     assert (diagnosis["verdict"], diagnosis["laws"]) == ("unexplained", [])
 
 
+@pytest.mark.walk
 def test_two_sessions_are_compared_by_the_numbers_of_their_laws(found: tuple[str, Path, Any], tmp_path: Path) -> None:
     name, _, diagnosis = found
     other = written(tmp_path, on_third(lambda s, load: 1.2 * CURVES[name][0](s, load)), seed=3)
@@ -193,6 +202,7 @@ def test_two_sessions_are_compared_by_the_numbers_of_their_laws(found: tuple[str
     assert moved["changed"][0]["after"] == pytest.approx(1.2 * moved["changed"][0]["before"], rel=0.01)
 
 
+@pytest.mark.walk
 def test_it_is_commanded_by_python_and_refused_as_c(found: tuple[str, Path, Any], tmp_path: Path) -> None:
     _, path, diagnosis = found
     kept = tmp_path / "diagnosis.json"
@@ -204,6 +214,7 @@ def test_it_is_commanded_by_python_and_refused_as_c(found: tuple[str, Path, Any]
         dc.export_compensator(kept, output=tmp_path / "drive.c", export="c")
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize("name", ["law torque = c1*Nothing(q)", "law nowhere = c1*q"])
 def test_a_law_that_is_none_is_refused(found: tuple[str, Path, Any], tmp_path: Path, name: str) -> None:
     _, path, diagnosis = found
@@ -215,6 +226,7 @@ def test_a_law_that_is_none_is_refused(found: tuple[str, Path, Any], tmp_path: P
         dc.validate(kept, path)
 
 
+@pytest.mark.walk
 def test_a_constant_beside_a_law_is_a_part_of_it(tmp_path: Path) -> None:
     """Of a stop that begins at 0.1 rad the other side is as good, with a slope that gravity has, and a constant."""
     stop = on_third(lambda s, load: -20.0 * np.maximum(0.1 - s[0], 0) + 2.0)

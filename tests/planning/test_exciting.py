@@ -37,6 +37,7 @@ def planned() -> tuple[Robot, Any, tuple[Series, ...]]:
     return robot, *exciting(robot, runs=2, period=8.0)
 
 
+@pytest.mark.walk
 def test_no_limit_is_passed_between_samples_either(planned: tuple[Robot, Any, tuple[Series, ...]]) -> None:
     robot, _, series = planned
     for s in series:
@@ -68,6 +69,7 @@ def _within(robot: Robot, series: Series, speed: np.ndarray, acceleration: np.nd
     assert robot.workspace.holds(x).all()
 
 
+@pytest.mark.walk
 def test_it_is_as_large_as_some_limit_lets_it_be(planned: tuple[Robot, Any, tuple[Series, ...]]) -> None:
     robot, _, series = planned
     assert robot.joint_limits is not None
@@ -88,6 +90,7 @@ def _holds_more(robot: Robot, series: Series) -> bool:
     return bool(robot.workspace.holds(machine.positions(robot.joint_sign * q, robot.tool, machine.rows(robot))).all())
 
 
+@pytest.mark.walk
 def test_it_goes_from_rest_to_rest_and_its_derivatives_are_its_own(
     planned: tuple[Robot, Any, tuple[Series, ...]],
 ) -> None:
@@ -101,6 +104,7 @@ def test_it_goes_from_rest_to_rest_and_its_derivatives_are_its_own(
         assert (after[:2] - before[:2]) / (2 * h) == pytest.approx(at[1:], abs=1e-7)
 
 
+@pytest.mark.walk
 def test_it_tells_more_than_movements_at_random(planned: tuple[Robot, Any, tuple[Series, ...]]) -> None:
     """Than every one of forty that are as large as limits let them be, in both figures."""
     robot, answer, series = planned

@@ -61,6 +61,7 @@ def test_the_tip_touches_points_of_a_flat_print(run: Run, tmp_path: Path, model:
     assert run(*command, "--workers", 1)[0] == 0
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize("model", ROBOTS)
 def test_a_camera_sees_the_board_from_every_pose(run: Run, tmp_path: Path, model: str) -> None:
     _, rows, path = planned(run, tmp_path, model, "board image")
@@ -83,6 +84,7 @@ def test_a_camera_sees_the_board_from_every_pose(run: Run, tmp_path: Path, model
     assert json.loads(run(*command)[1]) == told
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize("model", ROBOTS)
 def test_a_fixed_camera_sees_the_board_on_the_platform(run: Run, tmp_path: Path, model: str) -> None:
     said, path = tmp_path / "said.toml", tmp_path / "plan.csv"

@@ -139,6 +139,7 @@ def test_what_is_advised_gives_what_is_said(made: Study, plan: Path, tmp_path: P
     assert after["rms_mm"] == pytest.approx(gain.rms_mm, rel=0.03)
 
 
+@pytest.mark.walk
 def test_a_suspicion_is_concealed_and_looked_for(robot: Robot, plan: Path, tmp_path: Path, run: Run) -> None:
     several = tmp_path / "plan.csv"
     first, *targets = plan.read_text().splitlines()

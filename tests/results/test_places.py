@@ -10,6 +10,7 @@ from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
+import pytest
 
 import deltacal_gen as dc
 from deltacal_gen.app.demonstration import example
@@ -61,6 +62,7 @@ def test_an_axis_goes_by_its_name() -> None:
     assert at(dataclasses.replace(axis, name="X slide"), (1,)) == " at the axis 'X slide'"
 
 
+@pytest.mark.walk
 def test_what_is_found_on_an_arm_is_told_of_its_joints_everywhere(run: Run, tmp_path: Path) -> None:
     """In the summary, where it sits, the table, the page and the commands; keys of JSON stay."""
     stood = arm([STAND, *ARM])

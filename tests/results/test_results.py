@@ -213,6 +213,7 @@ def test_the_published_schemas_are_those_of_the_types() -> None:
         Draft202012Validator.check_schema(json.loads(text))
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize("kind", KINDS)
 def test_what_commands_answer_is_as_the_published_schema_says(answers: dict[str, Any], kind: str) -> None:
     data = json.loads(json.dumps(answers[kind] | {}, allow_nan=False))
@@ -223,6 +224,7 @@ def test_what_commands_answer_is_as_the_published_schema_says(answers: dict[str,
         assert not as_published.is_valid(broken)
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize("kind", KINDS)
 def test_an_answer_read_back_is_the_same(answers: dict[str, Any], kind: str) -> None:
     data = answers[kind] | {}
@@ -270,6 +272,7 @@ def test_a_value_is_frozen_and_knows_its_fields() -> None:
     assert remedy == copy.deepcopy(remedy) != remedy.replace(pins=1)
 
 
+@pytest.mark.walk
 def test_a_blank_cell_is_null(answers: dict[str, Any]) -> None:
     found = read_result(answers["diagnosis"] | {})
     residuals = found.residuals  # type: ignore[union-attr]
@@ -294,6 +297,7 @@ def changed(data: Any, path: tuple[Any, ...], value: Any) -> Any:
     return data
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize(
     ("path", "value", "words"),
     [
@@ -344,6 +348,7 @@ def test_what_is_no_json_is_said(tmp_path: Path, content: bytes | None, words: s
         read_result(tmp_path / "result.json")
 
 
+@pytest.mark.walk
 def test_a_key_of_a_later_version_is_no_error(answers: dict[str, Any]) -> None:
     found = read_result(answers["result"] | {"gravity": {"sagging_mm": 20.0}})
     assert isinstance(found, Result)
@@ -362,6 +367,7 @@ def test_people_read_a_value_as_far_as_it_is_known() -> None:
     assert "<td>-0.054</td><td>0.047</td>" in as_html(found)
 
 
+@pytest.mark.walk
 def test_a_robot_in_an_answer_says_what_it_is(answers: dict[str, Any]) -> None:
     robot = answers["result"].robot
     assert repr(robot) == f"<RobotTables '{robot.robot.name}': {robot.robot.mechanism}>"
