@@ -56,10 +56,7 @@ def known_model(source: Given) -> Known:
             if not is_law(name) and name not in (*effect_names(), *drive_effect_names()):
                 raise InputError(f"there is no effect '{name}'.", "Add its file, and run deltacal kernels.")
             load_effect(name)
-    except (
-        InputError,
-        ValueError,
-    ) as error:  # the second of a formula, a rotation or a triangle of numbers that is none
+    except (InputError, ValueError) as error:  # the second of a formula, a rotation or a triangle that is none
         said = error if isinstance(error, InputError) else InputError(f"{error}.", "Give the file as it was written.")
         file = None if isinstance(source, Mapping) else Path(source)
         raise InputError(said.problem, said.remedy, file=file, line=said.line, column=said.column) from None
