@@ -11,10 +11,8 @@ import functools
 import hashlib
 import json
 import os
-import signal
 import threading
 import time
-import warnings
 from collections.abc import Callable, Generator, Iterable, Iterator
 from contextlib import closing, contextmanager, nullcontext, suppress
 from pathlib import Path
@@ -29,11 +27,11 @@ from deltacal_gen.results.base import Json
 
 CONNECT_S = 5.0  # for a scheduler to answer
 WATCH_S = 0.5  # after which a worker notices that the process which has started it is gone
-FOLDER = "tasks"
 
 Told = Callable[[int, int, str], None]
 Function = Callable[..., Json]
-Pool = Callable[[Iterable[Any]], Any]  # does jobs of joblib, and yields what they return as they end
+Ended = Generator[tuple[int, "Outcome"], None, None]  # behind the numbers of their tasks
+Pool = Callable[[Iterable[Any]], Ended]  # does jobs of joblib
 
 
 class Task(NamedTuple):
@@ -87,7 +85,7 @@ class Store:
     """Results by key, each a file that is complete or not there."""
 
     def __init__(self, directory: Path) -> None:
-        self.folder = directory / FOLDER  # and in it 256 folders: 10^5 files in one are slow on network drives
+        self.folder = directory / "tasks"  # and in it 256 folders: 10^5 files in one are slow on network drives
         try:
             self.folder.mkdir(parents=True, exist_ok=True)
         except OSError as error:
@@ -158,14 +156,10 @@ def run(
             if at not in left:
                 told(at + len(early) + 1, len(every), task.label)
             found = early.pop(at, None) or (None if store is None else store.get(task.key, task.label))
-            if found is None:
-                raise InputError("a result that was there is gone.", "Run again.", file=directory)
-            yield found
+            yield found or Outcome(task.key, task.label, None, "a result that was there is gone: run again")
 
 
-def _ended(
-    function: Function, left: dict[int, Task], pool: Pool, alone: bool = False
-) -> Generator[tuple[int, Outcome], None, None]:
+def _ended(function: Function, left: dict[int, Task], pool: Pool, alone: bool = False) -> Ended:
     """Yield outcomes as tasks end, behind their numbers.
 
     A worker that ends takes the pool with it; over which of the tasks in flight it ended is not known: each of them is
@@ -173,22 +167,18 @@ def _ended(
     """
     while left:
         begun: list[int] = []
-        results = pool(_jobs(function, list(left.items()), begun))
-        try:
-            for number, outcome in results:
-                del left[number]
-                yield number, outcome
-        except Exception as error:
-            if alone:
-                number, task = left.popitem()
-                words = f"its worker ended, out of memory or killed: {type(error).__name__}: {error}".partition(". ")[0]
-                yield number, Outcome(task.key, task.label, None, words)
-            for number in [n for n in begun if n in left]:
-                yield from _ended(function, {number: left.pop(number)}, pool, alone=True)
-        finally:
-            with warnings.catch_warnings():
-                warnings.simplefilter("ignore")  # of what is under way when nobody waits for it any more
-                results.close()
+        with closing(pool(_jobs(function, list(left.items()), begun))) as results:
+            try:
+                for number, outcome in results:
+                    del left[number]
+                    yield number, outcome
+            except Exception as error:
+                if alone:
+                    number, task = left.popitem()
+                    words = f"its worker ended, out of memory or killed: {type(error).__name__}: {error}"
+                    yield number, Outcome(task.key, task.label, None, words.partition(". ")[0])
+                for number in [n for n in begun if n in left]:
+                    yield from _ended(function, {number: left.pop(number)}, pool, alone=True)
 
 
 def _jobs(function: Function, tasks: list[tuple[int, Task]], begun: list[int]) -> Iterator[Any]:
@@ -208,10 +198,9 @@ def _attempt(number: int, of: Outcome, function: Function, arguments: tuple[Any,
     try:
         with using(Backend.COMPILED):
             return number, of._replace(result=function(*arguments), final=True)
-    except DeltacalError as error:
-        return number, of._replace(error=str(error), final=True)
     except Exception as error:  # one recording must not end a fleet's night
-        return number, of._replace(error=f"{type(error).__name__}: {error}")
+        of_input = isinstance(error, DeltacalError)
+        return number, of._replace(error=str(error) if of_input else f"{type(error).__name__}: {error}", final=of_input)
 
 
 @contextmanager
@@ -222,7 +211,7 @@ def _pool(workers: int | None, cluster: str | None) -> Iterator[Pool]:
     client = None if cluster is None else _client(cluster)
     how: dict[str, Any] = {"backend": "dask", "client": client}
     if client is None:  # a core to each worker: matrices are small, threads of linear algebra wait for one another
-        how = {"backend": "loky", "inner_max_num_threads": 1, "initializer": _begin, "initargs": (os.getpid(),)}
+        how = {"backend": "loky", "inner_max_num_threads": 1, "initializer": _end_with, "initargs": (os.getpid(),)}
     count = -1 if client is not None or workers is None else workers
 
     def done(jobs: Iterable[Any]) -> Any:
@@ -233,16 +222,15 @@ def _pool(workers: int | None, cluster: str | None) -> Iterator[Pool]:
         yield done
 
 
-def _begin(parent: int) -> None:
-    """Begin a worker: it ends with the process that has started it, and what the keyboard sends is for that one."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    threading.Thread(target=_end_without, args=(parent,), daemon=True).start()
+def _end_with(parent: int) -> None:
+    """Begin a worker, which ends when the process that has started it does."""
 
+    def watch() -> None:
+        while os.getppid() == parent:
+            time.sleep(WATCH_S)
+        os._exit(1)
 
-def _end_without(parent: int) -> None:
-    while os.getppid() == parent:
-        time.sleep(WATCH_S)
-    os._exit(1)
+    threading.Thread(target=watch, daemon=True).start()
 
 
 def _client(address: str) -> Any:

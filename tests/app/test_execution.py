@@ -107,6 +107,7 @@ def test_a_task_that_ends_every_worker_fails_alone() -> None:
     assert "worker ended" in str(found[1].error)
 
 
+@pytest.mark.filterwarnings("ignore:.*still being processed")  # joblib says so when nobody waits for the rest
 def test_no_more_arguments_are_made_than_the_workers_need() -> None:
     made: list[int] = []
 
@@ -159,6 +160,7 @@ def test_a_task_whose_files_have_gone_fails_alone() -> None:
         assert "cannot be read" in str(found[2].error)
 
 
+@pytest.mark.filterwarnings("ignore:.*still being processed", "ignore:.*not used")
 def test_a_directory_that_cannot_be_written_is_said(tmp_path: Path) -> None:
     (tmp_path / "tasks").write_text("a file")
     for workers in (1, 2):

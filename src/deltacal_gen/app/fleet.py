@@ -13,8 +13,9 @@ import hashlib
 import json
 import os
 import re
+import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -23,7 +24,6 @@ from typing import Any, cast, get_args
 from deltacal_gen.app.commands.assess import validate
 from deltacal_gen.app.commands.calibration import diagnose, identify
 from deltacal_gen.app.moved import moved
-from deltacal_gen.app.tasks import RECORDING, ROBOT, Contents, laid_out
 from deltacal_gen.errors import DeltacalError, InputError, UsageError
 from deltacal_gen.execution import Outcome, Store, Task, Told, content_key, run
 from deltacal_gen.files import importers
@@ -49,6 +49,8 @@ from deltacal_gen.results.validation import Validation
 
 ACTIONS: tuple[Action, ...] = get_args(Action)
 FIGURES = "figures"  # key beside those of an answer, in what a task keeps
+Contents = Mapping[str, bytes]  # the files of one recording, by what a worker calls them
+ROBOT, RECORDING = "robot.toml", "recording.csv"
 RESULT = "result.json"  # beside the robot: what its recordings are validated against
 PAGES = "pages"  # of single recordings, in the run directory
 TABLES = (".csv", ".tsv", ".xlsx", ".xlsm", ".parquet")
@@ -214,6 +216,23 @@ def _beginning(path: Path) -> str:
             return file.read(LOOKED_AT).decode("utf-8", errors="replace")
     except OSError:
         return ""
+
+
+@contextmanager
+def laid_out(files: Contents) -> Iterator[Path]:
+    """Yield a folder with the files, which errors call as the user knows them: by their names, not by where they lie.
+
+    It goes afterwards.
+    """
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = Path(temporary)
+        for name, content in files.items():
+            (folder / name).write_bytes(content)
+        try:
+            yield folder
+        except InputError as error:
+            file = None if error.file is None else Path(str(error.file)).name
+            raise InputError(error.problem, error.remedy, file=file, line=error.line, column=error.column) from None
 
 
 def unpack(kind: str, files: Contents) -> Json:
