@@ -208,7 +208,7 @@ def test_of_a_gauge_the_sidecar_says_where_it_is_fixed() -> None:
 def test_what_is_chosen_is_what_was_looked_at() -> None:
     """A turn goes by the place in the row of candidates: those that are chosen keep theirs."""
     r, rng = robot(None), np.random.default_rng(5)
-    found = optimal.d_optimal(r, "48", 20)
+    found = optimal.plan_optimal_poses(r, "48", 20)
     candidates = turned(r, np.unique(readable_targets(r, candidates_of(r)), axis=0))
     rows = {tuple(np.round(t, 9)) for t in candidates}
     _, x, _ = MACHINE.inverse(np.hstack([found.poses.targets, found.poses.x[:, 3:]]), r.tool, MACHINE.rows(r))

@@ -222,7 +222,7 @@ def test_the_choice_of_positions(tmp_path: Path) -> None:
 
 def test_a_plan_says_what_it_needs(robot: Robot) -> None:
     with pytest.raises(UsageError, match="needs to know where its ends are mounted"):
-        planning.plan(robot, "4", kind="gauge")
+        planning.plan_poses(robot, "4", kind="gauge")
     with pytest.raises(UsageError, match="not for a gauge"):
         dc.plan(robot, model="4", optimal=6, gauge=EXAMPLE / "poses.toml")
 

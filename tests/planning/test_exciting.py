@@ -16,7 +16,7 @@ from deltacal_gen.errors import NoSolutionError, UsageError
 from deltacal_gen.files.robot import robot_to_toml
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Robot, Workspace
-from deltacal_gen.planning.exciting import Excitation, Series, exciting
+from deltacal_gen.planning.exciting import Excitation, Series, plan_trajectories
 from deltacal_gen.units import DEG
 from tests.support.every_effect import ARM, chain, machines
 
@@ -34,7 +34,7 @@ def limited(robot: Robot) -> Robot:
 @pytest.fixture(scope="module")
 def planned() -> tuple[Robot, Any, tuple[Series, ...]]:
     robot = limited(machines()[0])
-    return robot, *exciting(robot, runs=2, period=8.0)
+    return robot, *plan_trajectories(robot, runs=2, period=8.0)
 
 
 @pytest.mark.walk
@@ -122,7 +122,7 @@ def test_it_tells_more_than_movements_at_random(planned: tuple[Robot, Any, tuple
 
 
 def test_a_chain_without_limits_is_planned_and_what_is_assumed_is_said() -> None:
-    answer, (series,) = exciting(chain(ARM), runs=1, harmonics=3)
+    answer, (series,) = plan_trajectories(chain(ARM), runs=1, harmonics=3)
     assert len(answer.notes) == 3
     assert answer.condition[0] is not None
     assert np.abs(series.states(np.linspace(0, 10, 1001))[1]).max() <= 60.5 * DEG
@@ -131,12 +131,12 @@ def test_a_chain_without_limits_is_planned_and_what_is_assumed_is_said() -> None
 def test_a_workspace_that_holds_nothing_is_said() -> None:
     robot = dataclasses.replace(machines()[0], workspace=Workspace(top=3000.0, radius=10.0, height=10.0))
     with pytest.raises(NoSolutionError, match="does not reach the middle of its workspace"):
-        exciting(robot)
+        plan_trajectories(robot)
 
 
 def test_too_few_harmonics_are_refused() -> None:
     with pytest.raises(UsageError, match="two harmonics"):
-        exciting(machines()[0], harmonics=1)
+        plan_trajectories(machines()[0], harmonics=1)
 
 
 def test_the_command_writes_what_simulate_takes(tmp_path: Path, run: Callable[..., Any]) -> None:
@@ -166,7 +166,7 @@ def test_an_arm_begins_where_its_workspace_is() -> None:
         return machine.positions(arm.joint_sign * q, arm.tool, machine.rows(arm))
 
     assert not arm.workspace.holds(places(arm.joint_limits.mean(axis=1)[None])).any()
-    _, series = exciting(arm, runs=1, period=8.0)
+    _, series = plan_trajectories(arm, runs=1, period=8.0)
     q = series[0].states(np.linspace(0, 8, 401))[0]
     low, high = arm.joint_limits.T
     assert (q >= low - 1e-9).all()

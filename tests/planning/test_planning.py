@@ -75,7 +75,7 @@ def test_rings_are_the_papers(robot: Robot) -> None:
 @pytest.mark.parametrize("kind", ["distance", "position"])
 def test_design_is_the_matrix_of_the_recording_that_follows(robot: Robot, kind: str, tmp_path: Path) -> None:
     known = dataclasses.replace(robot, errors={"theta_2": 0.8 * DEG, "L_1": 0.3, "dl_3": 0.2})
-    found = planning.plan(known, "32", kind=kind, n_max=3)
+    found = planning.plan_poses(known, "32", kind=kind, n_max=3)
     planning.write_targets(found, tmp_path / "poses.csv")
     poses = read_recording(tmp_path / "poses.csv", DELTA, need_measured=False, allow_targets=True)
     measured = simulate(known, poses, rng=np.random.default_rng(1))
@@ -89,7 +89,7 @@ def test_design_is_the_matrix_of_the_recording_that_follows(robot: Robot, kind: 
 
 
 def test_targets_written_are_reached_by_simulation(robot: Robot, tmp_path: Path) -> None:
-    found = planning.plan(robot, "32", n_max=4)
+    found = planning.plan_poses(robot, "32", n_max=4)
     planning.write_targets(found, tmp_path / "poses.csv")
     poses = read_recording(tmp_path / "poses.csv", DELTA, need_measured=False, allow_targets=True)
     measured = simulate(robot, poses, frame=(np.zeros(3), np.zeros(3)))
@@ -99,13 +99,13 @@ def test_targets_written_are_reached_by_simulation(robot: Robot, tmp_path: Path)
 
 def test_a_pose_beyond_limits_moves_inwards_and_it_is_said(robot: Robot) -> None:
     limited = robot_from_dict(TABLES | {"joints": {"limits_deg": [[-60.0, 95.0]] * 3}})
-    found = planning.plan(limited, "18", n_max=12)
+    found = planning.plan_poses(limited, "18", n_max=12)
     assert (found.poses.joints >= -60 * DEG - 1e-9).all()
     assert found.steps[-1].rank == 18
     first = found.notes[0]
     assert re.search(r"joint \d would stand at -[\d.]+ deg, its limit is -60; it is moved to \(", first)
     number = int(first.split()[1])
-    free = planning.plan(robot, "18", n_max=12)
+    free = planning.plan_poses(robot, "18", n_max=12)
     assert (free.poses.joints[number - 1] < -60 * DEG).any()
     assert found.answer().notes == found.notes
     assert not free.notes
@@ -113,7 +113,7 @@ def test_a_pose_beyond_limits_moves_inwards_and_it_is_said(robot: Robot) -> None
 
 
 def test_written_targets_are_numbers_that_a_person_can_read(robot: Robot, tmp_path: Path) -> None:
-    planning.write_targets(planning.plan(robot, "18", n_max=5), tmp_path / "poses.csv")
+    planning.write_targets(planning.plan_poses(robot, "18", n_max=5), tmp_path / "poses.csv")
     cells = [cell for line in (tmp_path / "poses.csv").read_text().splitlines()[1:] for cell in line.split(",")]
     assert max(map(len, cells)) <= len("-1234.567")
 
@@ -121,14 +121,14 @@ def test_written_targets_are_numbers_that_a_person_can_read(robot: Robot, tmp_pa
 def test_joint_limits_and_signs_are_the_controllers(robot: Robot) -> None:
     tables = TABLES | {"joints": {"sign": [1, -1, 1], "limits_deg": [[-66.0, 95.0]] * 3}}
     turned = robot_from_dict(tables)
-    plain = planning.plan(robot, "3", n_max=3).poses.joints
+    plain = planning.plan_poses(robot, "3", n_max=3).poses.joints
     np.testing.assert_allclose(
-        reach.reach(turned, planning.plan(robot, "3", n_max=3).poses.targets, turned.tool)[0].joints,
+        reach.reach(turned, planning.plan_poses(robot, "3", n_max=3).poses.targets, turned.tool)[0].joints,
         plain * [1, -1, 1],
     )
     with pytest.raises(NoSolutionError, match=r"joint \d would stand at -[\d.]+ deg, its limit is -66"):
         design(turned, np.array([[0.0, 500.0, -978.0], [0.0, 0.0, -853.0]]), turned.tool, ("theta_1",))
-    kept = optimal.d_optimal(turned, "3", 4).poses.joints
+    kept = optimal.plan_optimal_poses(turned, "3", 4).poses.joints
     assert np.all(kept >= -66 * DEG - 1e-12)
     assert np.all(kept <= 95 * DEG)
 
@@ -166,9 +166,9 @@ def test_what_model_36_cannot_tell_is_eq_19(robot: Robot) -> None:
 
 def test_one_reference_point_is_enough_from_n_7_on(robot: Robot) -> None:
     """2 n + 1 positions hold at most 3 (2 n + 1) - 6 independent distances, and the rings are symmetric besides."""
-    one = planning.plan(robot, "32", tools=1, n_max=8)
-    turned = planning.plan(robot, "32", tools=1, n_max=8, start_angle=30 * DEG)
-    two = planning.plan(robot, "32", tools=2, n_max=8)
+    one = planning.plan_poses(robot, "32", tools=1, n_max=8)
+    turned = planning.plan_poses(robot, "32", tools=1, n_max=8, start_angle=30 * DEG)
+    two = planning.plan_poses(robot, "32", tools=2, n_max=8)
     assert steps(one, "rank") == {3: 15, 4: 21, 5: 27, 6: 32, 7: 32, 8: 32}
     assert steps(turned, "rank") == {3: 15, 4: 21, 5: 27, 6: 30, 7: 32, 8: 32}
     assert steps(two, "rank") == {3: 26, 4: 31, 5: 32, 6: 32, 7: 32, 8: 32}
@@ -178,8 +178,8 @@ def test_one_reference_point_is_enough_from_n_7_on(robot: Robot) -> None:
 
 @pytest.mark.parametrize(("model", "stands_for_it"), [("42", "32"), ("36", "32"), ("24", "18")])
 def test_a_model_too_large_is_planned_by_the_one_within(robot: Robot, model: str, stands_for_it: str) -> None:
-    found = planning.plan(robot, model, n_max=6)
-    within = planning.plan(robot, stands_for_it, n_max=6)
+    found = planning.plan_poses(robot, model, n_max=6)
+    within = planning.plan_poses(robot, stands_for_it, n_max=6)
     assert found.names == DELTA.model(stands_for_it)
     assert set(found.names) | set(found.dropped) == set(DELTA.model(model))
     assert steps(found, "condition") == steps(within, "condition")
@@ -205,7 +205,9 @@ def test_rule(change: list[float], first: int | None, settled: int | None) -> No
 @pytest.mark.parametrize(("norm", "chosen"), [("spectral", (6, 7, 9)), ("frobenius", (5, 7, 9))])
 def test_figures_6_and_7(robot: Robot, norm: str, chosen: tuple[int, ...]) -> None:
     """The paper's 5, 7 and 9 come out together, in the Frobenius norm, for rings that start at 75 deg."""
-    plans = [planning.plan(robot, model, start_angle=75 * DEG, norm=norm, n_max=10) for model in ("3", "18", "32")]
+    plans = [
+        planning.plan_poses(robot, model, start_angle=75 * DEG, norm=norm, n_max=10) for model in ("3", "18", "32")
+    ]
     assert tuple(p.chosen for p in plans) == chosen
     assert [len(p.poses) for p in plans] == [chosen[0] + 1, 2 * chosen[1] + 1, 2 * (2 * chosen[2] + 1)]
     assert [steps(p, "readings")[p.chosen or 0] for p in plans[1:]] == [105, 342]  # as in section 5.2
@@ -214,7 +216,7 @@ def test_figures_6_and_7(robot: Robot, norm: str, chosen: tuple[int, ...]) -> No
 def test_figure_6_depends_on_norm_and_start_angle(robot: Robot) -> None:
     def chosen(norm: str) -> list[int | None]:
         starts = DEG * np.arange(0, 60, 10)
-        return [planning.plan(robot, "3", start_angle=a, norm=norm, n_max=10).chosen for a in starts]
+        return [planning.plan_poses(robot, "3", start_angle=a, norm=norm, n_max=10).chosen for a in starts]
 
     assert chosen("spectral") == [4, 6, 7, 8, 7, 6]
     assert chosen("frobenius") == [4, 5, 5, 5, 5, 5]
@@ -222,13 +224,13 @@ def test_figure_6_depends_on_norm_and_start_angle(robot: Robot) -> None:
 
 def test_condition_number_does_not_fall_monotonously(robot: Robot) -> None:
     """Section 3.3 of the paper says that it does; from n = 7 on it rises slowly."""
-    kappa = steps(planning.plan(robot, "18", start_angle=75 * DEG, n_max=16), "condition")
+    kappa = steps(planning.plan_poses(robot, "18", start_angle=75 * DEG, n_max=16), "condition")
     assert kappa[7] == pytest.approx(81.34, abs=0.01)
     assert all(kappa[n] < kappa[n + 1] for n in range(7, 16))
 
 
 def test_figures_of_a_step(robot: Robot) -> None:
-    found = planning.plan(robot, "18", scaling="typical", n_max=5)
+    found = planning.plan_poses(robot, "18", scaling="typical", n_max=5)
     step = found.steps[-1]
     H = (
         design(robot, found.poses.targets, found.tools, found.names)
@@ -238,7 +240,7 @@ def test_figures_of_a_step(robot: Robot) -> None:
     assert step.condition == pytest.approx(s[0] / s[-1])
     assert step.indices["O1"] == pytest.approx(np.prod(s) ** (1 / 18) / np.sqrt(11))
     assert step.indices["O5"] == pytest.approx(1 / np.sum(1 / s))
-    frobenius = planning.plan(robot, "18", scaling="typical", norm="frobenius", n_max=5).steps[-1].condition
+    frobenius = planning.plan_poses(robot, "18", scaling="typical", norm="frobenius", n_max=5).steps[-1].condition
     assert frobenius == pytest.approx(np.linalg.norm(H) * np.linalg.norm(np.linalg.pinv(H)))
 
 
@@ -248,21 +250,21 @@ def test_figures_of_a_step(robot: Robot) -> None:
 def test_exchange_finds_the_best_of_all_sets(robot: Robot) -> None:
     rng = np.random.default_rng(3)
     candidates = rng.uniform([-400, -400, -978], [400, 400, -728], (9, 3))
-    found = optimal.d_optimal(robot, "3", 5, candidates=candidates, rng=rng)
+    found = optimal.plan_optimal_poses(robot, "3", 5, candidates=candidates, rng=rng)
     best = max(log_determinant(found, candidates[list(c)]) for c in itertools.combinations(range(9), 5))
     assert log_determinant(found, found.poses.targets) == pytest.approx(best, abs=1e-9)
 
 
 def test_d_optimal_set_is_reproducible(robot: Robot) -> None:
-    first, again = (optimal.d_optimal(robot, "3", 5, rng=np.random.default_rng(2)) for _ in range(2))
+    first, again = (optimal.plan_optimal_poses(robot, "3", 5, rng=np.random.default_rng(2)) for _ in range(2))
     np.testing.assert_array_equal(first.poses.targets, again.poses.targets)
 
 
 @pytest.mark.parametrize(("model", "n"), [("18", 7), ("36", 5)])
 def test_d_optimal_set_beats_the_rings(robot: Robot, model: str, n: int) -> None:
     count = 2 * n + 1
-    best = optimal.d_optimal(robot, model, count, sigma_mm=0.005)
-    ring = planning.plan(robot, model, n_max=n, threshold=0.0, sigma_mm=0.005)
+    best = optimal.plan_optimal_poses(robot, model, count, sigma_mm=0.005)
+    ring = planning.plan_poses(robot, model, n_max=n, threshold=0.0, sigma_mm=0.005)
     ours, theirs = (log_determinant(p, p.poses.targets[:count]) for p in (best, ring))
     assert ours > theirs + 2
     assert best.prediction is not None
@@ -272,10 +274,10 @@ def test_d_optimal_set_beats_the_rings(robot: Robot, model: str, n: int) -> None
 
 def test_too_few_positions_and_candidates(robot: Robot) -> None:
     with pytest.raises(UsageError, match=r"delta/18 and the frame have 24 unknowns .* at least 8 positions"):
-        optimal.d_optimal(robot, "18", 7)
+        optimal.plan_optimal_poses(robot, "18", 7)
     far = np.array([[0.0, 0.0, -853.0], [3000.0, 0.0, -853.0], [0.0, 100.0, -853.0]])
     with pytest.raises(NoSolutionError, match="only 2 of the candidates"):
-        optimal.d_optimal(robot, "3", 3, candidates=far)
+        optimal.plan_optimal_poses(robot, "3", 3, candidates=far)
 
 
 # ---------------------------------------------------------------------------------------------------- the prediction
@@ -283,7 +285,7 @@ def test_too_few_positions_and_candidates(robot: Robot) -> None:
 
 def test_predicted_deviation_is_that_of_noisy_positions(robot: Robot) -> None:
     sigma = 0.01
-    found = planning.plan(robot, "18", n_max=6, threshold=0.0, sigma_mm=sigma)
+    found = planning.plan_poses(robot, "18", n_max=6, threshold=0.0, sigma_mm=sigma)
     assert found.prediction is not None
     P = found.poses.targets
     i, j = np.triu_indices(len(P), 1)
@@ -297,7 +299,7 @@ def test_predicted_deviation_is_that_of_noisy_positions(robot: Robot) -> None:
 
 
 def test_predicted_tool_deviation_is_the_same_in_every_gauge(robot: Robot) -> None:
-    poses = planning.plan(robot, "32", n_max=5, threshold=0.0).poses
+    poses = planning.plan_poses(robot, "32", n_max=5, threshold=0.0).poses
     found = []
     for names in (DELTA.model("32"), tuple(n.replace("ex_2", "ex_1") for n in DELTA.model("32"))):
         task = matrix.Task(robot, "", "distance", "paper", "spectral", names, (), targets.reference_points(robot, 2))
@@ -311,7 +313,7 @@ def test_predicted_tool_deviation_is_the_same_in_every_gauge(robot: Robot) -> No
 
 
 def test_plan_as_json(robot: Robot) -> None:
-    found = planning.plan(robot, "18", start_angle=75 * DEG, n_max=9, sigma_mm=0.005)
+    found = planning.plan_poses(robot, "18", start_angle=75 * DEG, n_max=9, sigma_mm=0.005)
     said = json.loads(found.answer().to_json())
     assert said["schema"] == "deltacal.plan/1"
     assert said["model"] == "delta/18"
@@ -330,14 +332,14 @@ def test_plan_as_json(robot: Robot) -> None:
 
 
 def test_a_plan_without_a_choice_says_so(robot: Robot) -> None:
-    found = planning.plan(robot, "18", n_max=4)
+    found = planning.plan_poses(robot, "18", n_max=4)
     assert found.chosen is None
     assert found.answer()["chosen"] is None
     assert len(found.poses) == 2 * 4 + 1
 
 
 def test_figure_shows_chosen_n_and_is_reproducible(robot: Robot, tmp_path: Path) -> None:
-    plans = [planning.plan(robot, model, start_angle=75 * DEG, n_max=10) for model in ("18", "32")]
+    plans = [planning.plan_poses(robot, model, start_angle=75 * DEG, n_max=10) for model in ("18", "32")]
     for name in ("a.svg", "b.svg"):
         figure(plans, tmp_path / name)
     text = (tmp_path / "a.svg").read_text()
@@ -345,29 +347,29 @@ def test_figure_shows_chosen_n_and_is_reproducible(robot: Robot, tmp_path: Path)
         assert words in text
     assert (tmp_path / "b.svg").read_text() == text
     with pytest.raises(UsageError, match="no set of poses has the full rank"):
-        figure(planning.plan(robot, "18", n_max=3), tmp_path / "c.svg")
+        figure(planning.plan_poses(robot, "18", n_max=3), tmp_path / "c.svg")
     with pytest.raises(InputError, match="the file cannot be written"):
         figure(plans, tmp_path / "no folder" / "d.svg")
 
 
 def test_calls_that_make_no_sense(robot: Robot) -> None:
     with pytest.raises(UsageError, match="no layer 'roof'"):
-        planning.plan(robot, "18", layers=["roof"])
+        planning.plan_poses(robot, "18", layers=["roof"])
     with pytest.raises(
         UsageError, match="no kind 'weight'; known: board image, distance, gauge, pose, position, touched board"
     ):
-        planning.plan(robot, "18", kind="weight")
+        planning.plan_poses(robot, "18", kind="weight")
     with pytest.raises(UsageError, match="no scaling 'metres'"):
-        planning.plan(robot, "18", scaling="metres")
+        planning.plan_poses(robot, "18", scaling="metres")
     with pytest.raises(UsageError, match="give 1 to 3"):
-        planning.plan(robot, "18", tools=4)
+        planning.plan_poses(robot, "18", tools=4)
     with pytest.raises(UsageError, match="n_max is 2"):
-        planning.plan(robot, "18", n_max=2)
+        planning.plan_poses(robot, "18", n_max=2)
     with pytest.raises(InputError, match=r"no \[workspace\] with top, radius and height"):
-        planning.plan(dataclasses.replace(robot, workspace=None), "18")
+        planning.plan_poses(dataclasses.replace(robot, workspace=None), "18")
     wide = robot_from_dict(TABLES | {"workspace": {"top": 728.0, "radius": 1100.0, "height": 250.0}})
     with pytest.raises(NoSolutionError, match="out of reach"):
-        planning.plan(wide, "18")
+        planning.plan_poses(wide, "18")
     with pytest.raises(NoSolutionError, match="of 60 points spread over its workspace"):
         rank_table(robot_from_dict(TABLES | {"workspace": {"top": 1500.0, "radius": 500.0, "height": 250.0}}))
 
@@ -405,7 +407,9 @@ def test_the_nearest_singularity_of_a_diamond_is_a_stretched_limb() -> None:
 
 def test_poses_near_singularities_are_as_far_as_asked() -> None:
     machine = example_robot("robotennis")
-    found = planning.plan(machine, "robotennis/15", kind="position", singular=(50.0, 100.0), n_max=12, threshold=0.1)
+    found = planning.plan_poses(
+        machine, "robotennis/15", kind="position", singular=(50.0, 100.0), n_max=12, threshold=0.1
+    )
     assert found.method == "singular"
     assert found.chosen is not None
     targets = singularities.near(machine, (50.0, 100.0), 12, np.random.default_rng(0))
@@ -415,7 +419,7 @@ def test_poses_near_singularities_are_as_far_as_asked() -> None:
     out = targets + 102 * _unit(targets - [0, 0, targets[:, 2].mean()])
     status = load_mechanism("robotennis").inverse(out, machine.tool, load_mechanism("robotennis").rows(machine))[2]
     assert (status != SOLVED).mean() > 0.3  # of most, what is near is the edge of what can be reached
-    best = optimal.d_optimal(machine, "robotennis/15", 8, kind="position", singular=(50.0, 100.0))
+    best = optimal.plan_optimal_poses(machine, "robotennis/15", 8, kind="position", singular=(50.0, 100.0))
     assert singularities.distance(machine, best.poses.targets, 150.0).max() < 101
 
 
@@ -428,9 +432,9 @@ def _unit(v: np.ndarray) -> np.ndarray:
 )
 def test_positions_do_not_say_that_these_are_singular(name: str, model: str) -> None:
     with pytest.raises(UsageError, match="need a parallel machine"):
-        planning.plan(example_robot(name), model, singular=(50.0, 100.0))
+        planning.plan_poses(example_robot(name), model, singular=(50.0, 100.0))
     with pytest.raises(UsageError, match="the lesser first"):
-        planning.plan(example_robot("robotennis"), "robotennis/15", singular=(100.0, 50.0))
+        planning.plan_poses(example_robot("robotennis"), "robotennis/15", singular=(100.0, 50.0))
 
 
 def test_images_of_a_board_are_planned_where_they_show_it() -> None:
@@ -440,7 +444,7 @@ def test_images_of_a_board_are_planned_where_they_show_it() -> None:
     wanted = np.unique(joint_spread(robot, 80), axis=0)
     every = reach.reached_of(robot, wanted, tools)
     found, _ = kind_of("board_image").imagined(every.x, 1, mechanism, Measurement())
-    plan = optimal.d_optimal(robot, "serial/dh", 12, kind="board_image", candidates=wanted)
+    plan = optimal.plan_optimal_poses(robot, "serial/dh", 12, kind="board_image", candidates=wanted)
     chosen = [int(np.argmin(np.abs(every.x - x).max(axis=1))) for x in plan.poses.x]
     assert len({*chosen}) == 12
     assert {*chosen} < {*found.rows[:, 0]} < {*range(80)}

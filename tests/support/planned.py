@@ -104,7 +104,7 @@ def design(robot: Robot, targets: Array, tools: Array, names: Sequence[str], kin
 
 
 def log_determinant(task: Task, targets: Array) -> float:
-    """Return what `d_optimal` maximises, in ordinary errors and for noise of 1 mm; -inf where the rank is short."""
+    """Return what an optimal set maximises, in ordinary errors, for noise of 1 mm; -inf where the rank is short."""
     poses = reached_of(task.robot, targets, task.tools)
     J, F, _ = with_frame(task, poses)
     figures = observability(project_out(J.reshape(-1, J.shape[2]), basis(F.reshape(-1, F.shape[2]))), len(poses))

@@ -180,7 +180,7 @@ def test_what_cannot_be_reached_is_named() -> None:
 @pytest.mark.parametrize("kind", ["position", "pose", "distance"])
 def test_a_plan_has_the_rank_and_the_matrix_of_its_recording(kind: str, tmp_path: Path) -> None:
     r = robot(joints=LIMITS)
-    found = planning.plan(r, "dh", kind=kind, n_max=14, sigma_mm=0.01)
+    found = planning.plan_poses(r, "dh", kind=kind, n_max=14, sigma_mm=0.01)
     assert found.steps[0].rank == len(found.names) == 21  # 4 by joint and 6, less the frame; of a pose the body too
     low, high = np.array(LIMITS["limits_deg"]).T * DEG
     assert ((found.poses.joints >= low) & (found.poses.joints <= high)).all()
@@ -197,21 +197,21 @@ def test_a_plan_has_the_rank_and_the_matrix_of_its_recording(kind: str, tmp_path
 
 def test_d_optimal_joints_beat_those_drawn() -> None:
     r = robot(joints=LIMITS)
-    best = optimal.d_optimal(r, "dh", 12, kind="pose")
+    best = optimal.plan_optimal_poses(r, "dh", 12, kind="pose")
     drawn = joint_spread(r, 12)
     assert best.steps[0].condition < 50
     assert log_determinant(best, best.poses.joints) > log_determinant(best, drawn) + 5
     with pytest.raises(UsageError, match="plan at least"):
-        optimal.d_optimal(r, "dh", 3)
+        optimal.plan_optimal_poses(r, "dh", 3)
 
 
 def test_a_parallel_robot_is_planned_for_poses_too(robot: Robot) -> None:
-    found = planning.plan(robot, "36", kind="pose", n_max=6)
+    found = planning.plan_poses(robot, "36", kind="pose", n_max=6)
     assert found.tools.shape == (1, 3)
     assert found.steps[-1].rank == len(found.names)
-    assert len(found.names) >= len(planning.plan(robot, "36", kind="position", tools=1, n_max=6).names)
+    assert len(found.names) >= len(planning.plan_poses(robot, "36", kind="position", tools=1, n_max=6).names)
 
 
 def test_sliding_joints_need_limits_to_be_planned() -> None:
     with pytest.raises(InputError, match="sliding joints"):
-        planning.plan(robot([ARM[0] | {"kind": "prismatic"}] * 3), "dh")
+        planning.plan_poses(robot([ARM[0] | {"kind": "prismatic"}] * 3), "dh")

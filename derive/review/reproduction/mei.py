@@ -344,7 +344,7 @@ def _figure_5(bench: Bench, a: Any) -> None:
 def _figure_8(bench: Bench, a: Any) -> None:
     mount = matrix.Mount(np.array(bench.poses.measurement.base_point_mm), bench.tool)
     known = dataclasses.replace(bench.robot, errors={"mx": 1.0, "my": 0.5})
-    plan = planning.plan(known, "diamond/4", kind="gauge", mount=mount, n_max=12)
+    plan = planning.plan_poses(known, "diamond/4", kind="gauge", mount=mount, n_max=12)
     n = [step.n for step in plan.steps]
     a.plot(n, [step.condition for step in plan.steps], "o-", label="kappa_1")
     a.plot(n, [step.corrected for step in plan.steps], "x--", label="kappa_m, f - dr_M")

@@ -103,7 +103,7 @@ class BothSides:
         )
 
 
-def both_sides(robot: Robot, kind: str, positions: int | None = None, cycles: int | None = None) -> BothSides:
+def plan_both_sides(robot: Robot, kind: str, positions: int | None = None, cycles: int | None = None) -> BothSides:
     """Return joints of one axis in cycles, or of several over their ranges, each reached from either side.
 
     Raises

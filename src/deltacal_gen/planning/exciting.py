@@ -86,7 +86,7 @@ class Series:
 
 
 class Excitation:
-    """Series of one robot within its limits, and what they tell; see `exciting`."""
+    """Series of one robot within its limits, and what they tell; see `plan_trajectories`."""
 
     def __init__(self, robot: Robot, period: float, harmonics: int, seed: int) -> None:
         self._robot, self._mechanism, self.rigid = robot, mechanism_of(robot), Rigid(robot)
@@ -232,7 +232,7 @@ def _in_files(chosen: Sequence[Series], mechanism: Machine) -> tuple[JointSeries
     )
 
 
-def exciting(
+def plan_trajectories(
     robot: Robot, *, runs: int = 3, period: float = 10.0, harmonics: int = 5, rate: float = 100.0, seed: int = 0
 ) -> tuple[MotionPlan, tuple[Series, ...]]:
     """Return exciting trajectories of a robot, and what they tell.

@@ -55,7 +55,7 @@ def _scalars(task: Task) -> int:
     return at_poses(task).per_pose * len(task.tools)
 
 
-def d_optimal(
+def plan_optimal_poses(
     robot: Robot,
     model: str,
     count: int,
@@ -84,7 +84,7 @@ def d_optimal(
         Positions of the first reference point in {O} [mm], default `grid`; what cannot be reached is left out. Of an
         open chain joints (M, n_q), as the controller counts, default `joint_spread`.
     singular : (float, float), optional
-        Candidates are positions whose nearest singularity is so far away, from .. to [mm]; see `plan`.
+        Candidates are positions whose nearest singularity is so far away, from .. to [mm]; see `plan_poses`.
     rng : Generator, optional
         Draws the sets from which the exchange sets out; default a fixed one.
 

@@ -40,7 +40,7 @@ from deltacal_gen.results.plan import Method
 Sets = Callable[[int], tuple[Poses, tuple[str, ...]]]  # from n to its poses, and what became of those out of reach
 
 
-def plan(
+def plan_poses(
     robot: Robot,
     model: str,
     *,

@@ -45,7 +45,7 @@ def asked(found: MotionDiagnosis, output: Path | None) -> Asked | None:
     if not entries:
         return None
     robot = robot_of(found.robot)
-    plan, planned = exciting.exciting(robot, runs=PLANNED, period=PERIOD, rate=RATE)
+    plan, planned = exciting.plan_trajectories(robot, runs=PLANNED, period=PERIOD, rate=RATE)
     varied = {state for entry in entries for state in entry.run or ()}
     series = (*planned, *(planned[0].slower(factor) for factor in SLOWER if "qd" in varied))
     payload = None

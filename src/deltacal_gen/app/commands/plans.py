@@ -88,7 +88,7 @@ def plan(
     from deltacal_gen.files.sidecar import read_measurement
     from deltacal_gen.instrument.kinds import MOUNTED
     from deltacal_gen.planning import matrix, planning
-    from deltacal_gen.planning.optimal import d_optimal
+    from deltacal_gen.planning.optimal import plan_optimal_poses
     from deltacal_gen.units import DEG
 
     check_output(output, robot)
@@ -109,13 +109,13 @@ def plan(
     rings = {name: value for name, value in options.items() if value is not None}
     if optimal is None:
         how["kind"] = how["kind"] or (gauge and MOUNTED)
-        found = planning.plan(machine, name, **how, **rings)
+        found = planning.plan_poses(machine, name, **how, **rings)
     elif gauge is not None:
         raise UsageError("D-optimal sets are chosen for positions and distances, not for a gauge.")
     elif rings:
         raise UsageError(f"{', '.join(rings)}: of rings, and means nothing for a D-optimal set; leave it out.")
     else:
-        found = d_optimal(machine, name, optimal, **how)
+        found = plan_optimal_poses(machine, name, optimal, **how)
     if output is not None:
         planning.write_targets(found, output)
     if picture is not None:
@@ -177,7 +177,7 @@ def plan_cycles(
     check_output(output, robot)
     machine = as_robot(robot)
     name = _reached_from_both_sides(machine, _kind_of(kind, sidecar)) or POINTS
-    found = both_sides.both_sides(machine, name, positions, cycles)
+    found = both_sides.plan_both_sides(machine, name, positions, cycles)
     if output is not None:
         both_sides.write_rows(found, output)
     return found.answer()
@@ -224,7 +224,7 @@ def plan_trajectory(
     check_output(output, robot)
     check_output(picture, robot, output, ending=PICTURES)
     machine = as_robot(robot)
-    found, series = exciting.exciting(machine, runs=runs, period=period_s, harmonics=harmonics, rate=rate_Hz)
+    found, series = exciting.plan_trajectories(machine, runs=runs, period=period_s, harmonics=harmonics, rate=rate_Hz)
     if output is not None:
         exciting.write_trajectory(machine, series, found.rate_Hz, output)
     if picture is not None:
