@@ -84,6 +84,18 @@ def test_what_is_no_capture_is_said(tmp_path: Path, joints: Path, content: str, 
         dc.import_c3d(tmp_path / "take.csv", joints)
 
 
+def test_labels_of_a_damaged_c3d_file_may_be_numbers(
+    tmp_path: Path, joints: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    ezc3d = pytest.importorskip("ezc3d")
+    path = c3d(tmp_path, labels=("tool", "base"))
+    read = ezc3d.c3d(str(path))
+    read["parameters"]["POINT"]["LABELS"]["value"] = np.array([3, 7])
+    monkeypatch.setattr(ezc3d, "c3d", lambda _: read)
+    with pytest.raises(InputError, match=r"2 markers were captured\. Name one, --readings NAME; there are 3, 7"):
+        dc.import_c3d(path, joints)
+
+
 def test_a_damaged_c3d_file_is_said(tmp_path: Path, joints: Path) -> None:
     pytest.importorskip("ezc3d")
     (tmp_path / "take.c3d").write_bytes(b"\x02\x50" + bytes(2000))

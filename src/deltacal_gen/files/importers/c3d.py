@@ -88,7 +88,7 @@ def _c3d(path: Path) -> Captured:
     try:
         found = ezc3d.c3d(str(path))
         told, points = found["parameters"]["POINT"], found["data"]["points"]
-        labels, rate = told["LABELS"]["value"], float(told["RATE"]["value"][0])
+        labels, rate = [str(own) for own in told["LABELS"]["value"]], float(told["RATE"]["value"][0])
         unit = (told["UNITS"]["value"] or ["mm"])[0].strip()
     except Exception as error:  # of a library that lets through whatever is wrong inside a file
         raise InputError(f"this is no C3D file: {error}.", "Export it again.") from None
