@@ -248,7 +248,7 @@ def _jobs_of_commands() -> Iterator[Job]:
     )
     yield Job(("identify", robot, recording, "--as", "distance", "-o", "{out.json}"), ("delta.recording.csv",))
     yield Job(("import", "bag", "{run.mcap}", "-o", "{out}"), ("run.mcap",))
-    yield Job(("import", "bag", "{run.mcap}", "--map", "{map.toml}", "-o", "{out}"), ("map.toml",))
+    yield Job(("import", "bag", "{run.mcap}", "--mapping", "{map.toml}", "-o", "{out}"), ("map.toml",))
     yield Job(
         ("import", "c3d", "{take.c3d}", "{capture.joints.csv}", "-o", "{out}"), ("take.c3d", "capture.joints.csv")
     )

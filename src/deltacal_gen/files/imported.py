@@ -80,7 +80,7 @@ def robot_with(robot: str | Path | None, count: int, file: Path) -> tuple[Robot 
     if mechanism.limbs != count:
         raise InputError(
             f"the file has {count} joints, the robot {mechanism.limbs}.",
-            "Give the joints of the robot file, in its order; of a bag, [joints] names in the file of --map.",
+            "Give the joints of the robot file, in its order; of a bag, [joints] names in the file of --mapping.",
             file=file,
         )
     return machine, mechanism.joint_units

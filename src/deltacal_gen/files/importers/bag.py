@@ -52,7 +52,7 @@ class ReadingMap(Table):
 
 
 class BagMap(Table):
-    """The file of ``--map``."""
+    """The file of ``--mapping``."""
 
     joints: JointMap = JointMap()
     readings: ReadingMap = ReadingMap()
@@ -69,25 +69,31 @@ def import_bag(
     moving: bool = False,
     offset_s: float = 0.0,
 ) -> Imported:
-    """Return a recording of a bag: a folder of ROS 2, a ``.bag`` of ROS 1, or a file of MCAP.
+    """Import a bag: a folder of ROS 2, a ``.bag`` of ROS 1, or a file of MCAP.
 
     Parameters
     ----------
+    path : path
+        The bag.
     robot : path, optional
         Robot file: how many joints there are, and which of them slide.
-    joints, readings : str, optional
-        Topics; asked for where several could be meant.
+    output : path, optional
+        Folder for recording.csv, and robot.toml.
+    joints : str, optional
+        Topic of the joints; needed where several topics hold JointState.
+    readings : str, optional
+        Topic of the readings; needed where several topics hold points or poses.
     mapping : path, optional
         TOML with ``[joints]`` (topic, names or fields, unit) and ``[readings]`` (topic, fields, unit, angles).
     moving : bool
-        Every reading is a row, also where the joints stand still.
+        One row for every reading, also where the joints stand still.
     offset_s : float
-        What is to be added to the stamps of the readings [s].
+        Offset added to the time stamps of the readings [s].
 
     Raises
     ------
     InputError
-        The bag cannot be read, or does not hold what is asked for.
+        The bag cannot be read, or a topic is missing.
     UsageError
         The libraries are not installed.
     """
@@ -123,7 +129,7 @@ def _logged(bag: Any, topic: str, take: Callable[[Any], list[float]]) -> tuple[S
         except (AttributeError, IndexError, KeyError, TypeError, ValueError) as error:
             raise InputError(
                 f"a message of {topic} is not as the mapping says: {error}.",
-                "Say in the file of --map which parts of the message are meant: fields = [...].",
+                "Say in the file of --mapping which parts of the message are meant: fields = [...].",
             ) from None
         if (stamp := _stamp(message)) is None:
             told = [f"{topic}: messages without a stamp have the time at which they were logged"]
@@ -149,7 +155,7 @@ def _chosen(
     if not said.fields and asked not in fitting:
         raise InputError(
             f"{asked} holds {topics[asked]}, not {' or '.join(kinds)}.",
-            f"Say in the file of --map which parts of it are meant: [{what}] fields = [...].",
+            f"Say in the file of --mapping which parts of it are meant: [{what}] fields = [...].",
         )
     return asked
 

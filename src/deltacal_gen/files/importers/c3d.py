@@ -35,23 +35,29 @@ def import_c3d(
     moving: bool = False,
     offset_s: float = 0.0,
 ) -> Imported:
-    """Return a recording of a capture (``.c3d``, or CSV of Motive or Nexus) and a table of joints with ``time_s``.
+    """Import motion capture (``.c3d``, or CSV of Motive or Nexus) and a table of joints.
 
     Parameters
     ----------
+    path : path
+        The capture.
     joints : path
-        Columns ``time_s`` and ``q1_deg ...``, as `import_points` reads them.
+        Table with the columns ``time_s`` and ``q1_deg ...``, as `import_points` reads them.
+    robot : path, optional
+        Robot file, by which the joints are counted.
+    output : path, optional
+        Folder for recording.csv, and robot.toml.
     readings : str, optional
-        The marker or rigid body; asked for where there are several.
+        Name of the marker or rigid body; needed where several were captured.
     moving : bool
-        Every frame is a row, also where the joints stand still.
+        One row for every frame, also where the joints stand still.
     offset_s : float
-        What is to be added to the capture's time [s].
+        Offset added to the time of the capture [s].
 
     Raises
     ------
     InputError
-        A file cannot be read, or does not hold what is asked for.
+        A file cannot be read, or the marker is missing.
     UsageError
         ezc3d is not installed.
     """

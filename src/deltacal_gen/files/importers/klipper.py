@@ -51,7 +51,7 @@ LONGEST_NAME = 100  # letters of a mesh's name, which becomes a file's
 
 
 def import_klipper(path: str | Path, output: str | Path | None = None) -> Imported:
-    """Read a Klipper printer.cfg with its saved block.
+    """Import Klipper's printer.cfg with its saved block and bed meshes.
 
     Parameters
     ----------

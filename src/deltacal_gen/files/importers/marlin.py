@@ -34,12 +34,12 @@ _REPORTED = re.compile(rf"\b({'|'.join(_G33)}):\s*({_NUMBER})")
 
 
 def import_marlin(path: str | Path, output: str | Path | None = None) -> Imported:
-    """Read a log of Marlin: M503, and G29 with V4 or, of the unified bed levelling, G29 T.
+    """Import a log of Marlin: M503, and G29 with V4 or, of the unified bed levelling, G29 T.
 
     Parameters
     ----------
     path : path
-        Text as a terminal shows it; what stands around the lines that count does not matter.
+        Text as a terminal shows it; other lines do not matter.
     output : path, optional
         Folder for robot.toml and recording.csv.
 

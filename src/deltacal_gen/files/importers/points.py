@@ -29,15 +29,15 @@ FEW = 3  # names that a message lists
 def import_points(
     points: str | Path, joints: str | Path, robot: str | Path | None = None, output: str | Path | None = None
 ) -> Imported:
-    """Return a recording of positions from a tracker's list of points and a table of joints.
+    """Import a tracker's list of points and a table of joints.
 
     Parameters
     ----------
     points : path
-        Group, point, X, Y, Z in this order, or in any with a header; mm unless the header says m, cm or in.
+        List of group, point, X, Y, Z, in any order with a header; mm unless the header says m, cm or in.
     joints : path
-        A header with the point's name, `q1_deg ...` (`_rad`, `_mm`; `J1`, `A1`, `joint 1 [deg]` are understood too), a
-        group where names repeat among groups, and any channel.
+        Table with the point's name and `q1_deg ...` (`_rad`, `_mm`; also `J1`, `A1`, `joint 1 [deg]`); a group where
+        names repeat among groups, and any channel.
     robot : path, optional
         Robot file; it is written beside the recording, and the number of joints is checked.
     output : path, optional

@@ -19,7 +19,7 @@ OVERRIDE = "config-override.g"
 
 
 def import_rrf(config: str | Path, height_map: str | Path, output: str | Path | None = None) -> Imported:
-    """Read RepRapFirmware's config.g (M665, M666, G31), with what it has saved, and a height map.
+    """Import RepRapFirmware's config.g (M665, M666, G31) and height map.
 
     Parameters
     ----------

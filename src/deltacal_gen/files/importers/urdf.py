@@ -36,7 +36,7 @@ SAME_MM, SAME_TURN = 1e-12, 1e-12  # of the chain's length, at least a metre; of
 def import_urdf(
     path: str | Path, output: str | Path | None = None, *, base: str | None = None, tip: str | None = None
 ) -> Imported:
-    """Read the chain between two links of a URDF.
+    """Import the chain between two links of a URDF as a robot file.
 
     Parameters
     ----------
