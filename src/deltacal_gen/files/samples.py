@@ -40,7 +40,6 @@ class Joined:
     time: Array
     joints: Array
     readings: Array
-    still: bool
     told: tuple[str, ...]
 
 
@@ -99,7 +98,7 @@ def join(joints: Samples, readings: Samples, *, moving: bool, path: Path) -> Joi
         told.append(f"{lost} of {len(inside)} readings have no joints beside them, and are left out")
     t = readings.time[inside]
     q = np.column_stack([np.interp(t, joints.time, c) for c in joints.values.T])
-    return Joined(t, q, readings.values[inside], False, tuple(told))
+    return Joined(t, q, readings.values[inside], tuple(told))
 
 
 def standstills(joints: Samples) -> list[tuple[float, float]]:
@@ -124,7 +123,7 @@ def _at_rest(joints: Samples, readings: Samples, rests: list[tuple[float, float]
         f"({used} of {len(readings.time)}); --moving makes a row of every reading"
     )
     middle = np.array([(a + b) / 2 for a, b in rests])
-    return Joined(middle, means(joints), means(readings), True, tuple(told))
+    return Joined(middle, means(joints), means(readings), tuple(told))
 
 
 def imported(
