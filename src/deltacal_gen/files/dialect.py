@@ -185,7 +185,7 @@ class Vocabulary:
                 cells = split(text, separator)
                 if len(cells) > 1 and self.knows(cells):
                     return k, separator, False
-                if self.bare and len(cells) > 3 and sum(map(_is_number, cells)) >= 3:
+                if self.bare and len(cells) > 3 and sum(map(is_number, cells)) >= 3:
                     return k, separator, True
         return None
 
@@ -195,7 +195,8 @@ def split(text: str, separator: str) -> list[str]:
     return [cell.strip().strip('"') for cell in text.split(separator or None)]
 
 
-def _is_number(cell: str) -> bool:
+def is_number(cell: str) -> bool:
+    """Tell whether a cell holds a number, with a decimal point or a comma."""
     return (_WITH_COMMA.fullmatch(cell) or _NUMBER.fullmatch(cell)) is not None
 
 

@@ -6,7 +6,6 @@ import contextlib
 import csv
 import dataclasses
 import itertools
-import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -24,6 +23,7 @@ from deltacal_gen.files.dialect import (
     Scales,
     Vocabulary,
     in_seconds,
+    is_number,
     layout_of,
     named,
     parted,
@@ -38,7 +38,6 @@ WORKBOOKS = (".xlsx", ".xlsm")
 PARQUET = ".parquet"
 SHOWN = 12  # columns that a message lists
 LARGEST = 1e30  # number of a cell: its cube, and sums of these, are numbers still
-_DECIMAL_COMMA = re.compile(r"[-+]?\d+,\d+")
 
 
 @dataclass(frozen=True)
@@ -154,7 +153,7 @@ class Rows:
                 elif value is not None:
                     expected = "a finite number"
                     remedy = "Leave the cell blank where nothing was measured; joints must be complete."
-                elif _DECIMAL_COMMA.fullmatch(cell):
+                elif is_number(cell):
                     remedy = "Write a decimal point, or say --decimal , where all cells have a comma."
                 shown = cell if len(cell) <= 40 else f"{cell[:36]} ..."
                 raise self.error(f"the cell holds '{shown}', {expected} was expected.", remedy, row=row, column=name)
