@@ -6,7 +6,7 @@ import contextlib
 import csv
 import dataclasses
 import itertools
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -19,7 +19,6 @@ from deltacal_gen.files.dialect import (
     LOOKED_AT,
     RECORDED,
     Layout,
-    Line,
     Scales,
     Vocabulary,
     in_seconds,
@@ -195,34 +194,20 @@ def read_csv(path: Path, first: int | None = None, vocabulary: Vocabulary = RECO
         if not lines:
             raise InputError("the file is empty.", "Give a header and one row per reading.")
         lines = with_header(lines, remarks, vocabulary)
-        with _csv_of(lines[0][0]):
+        table: list[list[str]] = []
+        numbers = [0]  # of the lines in which rows end
+        try:
             layout = layout_of(lines if first is None else lines[:LOOKED_AT], vocabulary)
-        table, numbers = _cells(parted(lines[layout.header :], layout.separator), layout, first)
-        before = "\n".join(text for _, text in lines[: layout.header])
-        return _of_cells(path, table, numbers, layout, vocabulary, before)
-
-
-@contextlib.contextmanager
-def _csv_of(line: int) -> Iterator[None]:
-    """Raise an InputError where lines are no CSV."""
-    try:
-        yield
-    except csv.Error as error:
-        raise InputError(f"this is not CSV: {error}.", "Correct the quotes.", line=line) from None
-
-
-def _cells(lines: Sequence[Line], layout: Layout, first: int | None) -> tuple[list[list[str]], list[int]]:
-    """Return the cells of lines, row by row, and the line in which each row ends."""
-    reader = csv.reader((line for _, line in lines), delimiter=layout.separator or "\t", strict=True)
-    table: list[list[str]] = []
-    numbers: list[int] = []
-    while first is None or len(table) <= first + layout.units:
-        with _csv_of(lines[min(reader.line_num, len(lines) - 1)][0]):
-            if (cells := next(reader, None)) is None:
-                break
-        table.append([cell.strip() for cell in cells])
-        numbers.append(lines[reader.line_num - 1][0])
-    return table, numbers
+            lines, before = lines[layout.header :], "\n".join(text for _, text in lines[: layout.header])
+            texts = (text for _, text in parted(lines, layout.separator))
+            reader = csv.reader(texts, delimiter=layout.separator or "\t", strict=True)
+            for cells in itertools.islice(reader, None if first is None else 1 + layout.units + first):
+                table.append([cell.strip() for cell in cells])
+                numbers.append(lines[reader.line_num - 1][0])
+        except csv.Error as error:
+            begins = next(n for n, _ in lines if n > numbers[-1])
+            raise InputError(f"this is not CSV: {error}.", "Correct the quotes.", line=begins) from None
+        return _of_cells(path, table, numbers[1:], layout, vocabulary, before)
 
 
 def _of_cells(
