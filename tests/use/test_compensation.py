@@ -251,6 +251,7 @@ def test_the_linear_change_is_what_the_linear_command_adds(prototype: Robot) -> 
         Compensator(signed).servo(change=True)
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize("name", ["delta", "planar_parallelogram", "linear_delta"])
 @pytest.mark.parametrize("kind", CompensatorKind)
 def test_direct_commands_are_bound_to_their_machine(name: str, kind: str) -> None:

@@ -228,6 +228,7 @@ READS = {
 }
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize("case", CASES)
 def test_the_machine_meets_its_targets_once_it_is_diagnosed(
     machine: Robot, mechanism: Machine, case: str, tmp_path: Path

@@ -208,6 +208,7 @@ def test_what_cannot_be_is_answered_and_the_last_output_held(
         assert told(controller.deltacal_feedforward, held, moved, zero, zero)[0] == 0
 
 
+@pytest.mark.walk
 @needs_compiler
 def test_a_stretched_wrist_is_singular_and_a_joint_beyond_its_limits_out_of_reach(
     folder: Path, controller: Any
@@ -225,6 +226,7 @@ def test_a_stretched_wrist_is_singular_and_a_joint_beyond_its_limits_out_of_reac
     assert bytes(held) == before
 
 
+@pytest.mark.walk
 @needs_compiler
 def test_a_torque_is_held_at_its_limit_and_friction_does_not_chatter(folder: Path) -> None:
     robot = arm(limits={"tau2_Nm": [-5.0, 5.0]})
@@ -237,6 +239,7 @@ def test_a_torque_is_held_at_its_limit_and_friction_does_not_chatter(folder: Pat
     assert np.abs(near[0] - near[1])[[0, 2, 3, 4, 5]].max() < 2e-3 * 2 * 5.5 / (REST / DEG)
 
 
+@pytest.mark.walk
 @needs_compiler
 def test_a_lift_has_no_pose_and_forces_on_its_column(folder: Path) -> None:
     """Four joints, one of which slides: joints in, no pose."""

@@ -46,6 +46,7 @@ def soft() -> Diagnosis:
     return diagnose(LIMITED, made).answer()
 
 
+@pytest.mark.walk
 def test_rows_are_complete_and_come_after_the_last_reading(soft: Diagnosis) -> None:
     entry = next(n for n in soft.next_measurements if n.separates == ("joint_compliance", "proximal_bending"))
     assert entry.expected_chi2 is not None
@@ -61,6 +62,7 @@ def test_rows_are_complete_and_come_after_the_last_reading(soft: Diagnosis) -> N
     assert {row["payload_kg"] for row in (*entry.poses, *entry.further)} == {0.0, 5.0}  # as [limits] says
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize("budget", [1, 2, 7, 90])
 def test_a_budget_is_kept_to_the_row_and_poses_are_repeated_last(soft: Diagnosis, budget: int) -> None:
     questions = open_questions(soft)
@@ -88,6 +90,7 @@ def test_rows_go_to_what_is_least_separated() -> None:
     assert (len(both.rows), sum(both.counts)) == (5, 9)  # a row counts for all that it settles
 
 
+@pytest.mark.walk
 def test_the_command_writes_a_recording_without_readings(soft: Diagnosis, run: Run, tmp_path: Path) -> None:
     saved, out = tmp_path / "d.json", tmp_path / "poses.csv"
     saved.write_text(soft.to_json())
@@ -119,6 +122,7 @@ def test_rows_name_the_point_of_the_tool_that_is_measured(run: Run, tmp_path: Pa
     assert len(np.unique(read.pose)) == len(np.unique(stands, axis=0))  # another point of a pose is another row
 
 
+@pytest.mark.walk
 def test_laws_that_readings_do_not_tell_apart_are_told_apart_by_rows() -> None:
     """A law that bends where few readings are, beside one that does not: at the ends of the channel they differ."""
     n, rng = 80, np.random.default_rng(2)
@@ -135,6 +139,7 @@ def test_laws_that_readings_do_not_tell_apart_are_told_apart_by_rows() -> None:
     assert alone.why == "settles whether there is joint = c1*payload**2"
 
 
+@pytest.mark.walk
 def test_a_law_that_gives_way_is_harder_to_refute(monkeypatch: pytest.MonkeyPatch) -> None:
     n = 80
     of = {"payload_kg": np.random.default_rng(2).uniform(0.0, 2.0, n).round(2)}
@@ -150,6 +155,7 @@ def test_a_law_that_gives_way_is_harder_to_refute(monkeypatch: pytest.MonkeyPatc
     assert bending < 0.9 * stiff, (bending, stiff)
 
 
+@pytest.mark.walk
 def test_a_drift_is_told_from_a_warm_up_that_may_be_slower_than_it_looks() -> None:
     """A warm-up's time constant follows what is measured: rows are as many as refute every one."""
     told = round_of("zero_drift", 4)
@@ -177,6 +183,7 @@ def test_where_nothing_is_open_no_file_is_written(run: Run, tmp_path: Path) -> N
     assert json.loads(said)["poses"] == []
 
 
+@pytest.mark.walk
 def test_labels_of_poses_that_were_measured_are_not_given_again() -> None:
     made = record(NEAR, effect("joint_compliance", (1, 2, 3), 0.011), n=50)
     again = dataclasses.replace(made, pose=np.array([*made.pose[:-2], "next4", "next11"]))
@@ -190,6 +197,7 @@ def test_limits_of_channels_come_back_from_a_file() -> None:
     assert robot_from_dict(robot_to_dict(LIMITED)).limits == {"payload_kg": (0.0, 5.0), "temp_C": (15.0, 35.0)}
 
 
+@pytest.mark.walk
 def test_poses_reach_beyond_those_that_were_recorded(soft: Diagnosis) -> None:
     joints = np.array([soft.residuals.channels[f"q{i}_deg"] for i in (1, 2, 3)]).T
     spare = 0.1 * np.ptp(joints, axis=0)

@@ -51,6 +51,7 @@ def columns(path: Path) -> dict[str, list[str]]:
     return {name: [row[name] for row in rows] for name in rows[0]}
 
 
+@pytest.mark.walk
 def test_a_joint_that_stood_still_is_moved_and_its_friction_found(still: tuple[Path, Any], run: Run) -> None:
     folder, before = still
     assert named(before) == {"coulomb_friction": [1]}
@@ -88,6 +89,7 @@ def test_speeds_and_loads_that_tell_effects_apart_are_in_the_runs(still: tuple[P
     assert json.loads(asked.to_json())["schema"] == "deltacal.next/1"
 
 
+@pytest.mark.walk
 def test_the_command_that_is_told_plans_such_runs(still: tuple[Path, Any], tmp_path: Path, run: Run) -> None:
     folder, found = still
     words = shlex.split(dc.next_poses(found, output=tmp_path / "next.csv")["motion"]["command"])

@@ -15,6 +15,8 @@ from deltacal_gen.files.writing import write_recording
 from tests.support.copies import Checkout, printed, untried
 from tests.support.prototype import PROTOTYPE, scattered, wanted
 
+pytestmark = pytest.mark.walk  # each derives what was added, and runs tests and commands on a copy
+
 POSES, FITTED, NOISE, OPTIMAL = 130, 100, 0.005, 30
 WITH_TRUTH = ("--truth", "truth.toml", "--noise", NOISE)
 MODEL = ("--model", "24")

@@ -25,6 +25,8 @@ from tests.support.motion_recordings import NOISE as TORQUE_NOISE
 from tests.support.motion_recordings import planned, trajectory
 from tests.support.prototype import scattered, wanted
 
+pytestmark = pytest.mark.walk  # each derives what was added, and runs tests and commands on a copy
+
 COMPILER = shutil.which("cc")
 LIMB, NOISE = 2, 0.005
 WITH_TRUTH = ("--truth", "truth.toml", "--noise", NOISE)

@@ -16,6 +16,8 @@ import pytest
 from deltacal_gen.files.toml import toml_text
 from tests.support.copies import Checkout, printed, untried
 
+pytestmark = pytest.mark.walk  # each derives what was added, and runs tests and commands on a copy
+
 COMPILER = shutil.which("cc")
 NOISE = 0.003  # mm
 TRUTH = """
