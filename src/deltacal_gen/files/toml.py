@@ -91,7 +91,7 @@ class TomlFile:
             what = f"'{key}'{where}" if tables else f"the table [{key}]"
             return self.error(f"{what} is missing.", f"Add it{f': {meaning}' if meaning else ''}.", *keys)
         entry = "".join(f", entry {n + 1}" for n in flaw["loc"] if isinstance(n, int))
-        expected = _EXPECTED.get(flaw["type"], flaw["msg"]).format(**flaw.get("ctx", {}))
+        expected = _EXPECTED[flaw["type"]].format(**flaw.get("ctx", {})) if flaw["type"] in _EXPECTED else flaw["msg"]
         found = repr(flaw["input"])
         found = found if len(found) <= 60 else f"{found[:56]} ..."
         return self.error(f"'{key}'{where}{entry} is {found}: {expected}.", "Correct the value.", *keys)
