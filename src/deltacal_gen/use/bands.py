@@ -23,7 +23,6 @@ from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.channels import Channels
 from deltacal_gen.physics.factors import quantile
-from deltacal_gen.physics.terms import Term
 from deltacal_gen.results.diagnosis import Diagnosis
 from deltacal_gen.results.parts import Uncertainty
 from deltacal_gen.results.result import Result
@@ -223,23 +222,17 @@ def _linear(
     They are of all readings that the recording may hold, where none are given.
     """
     known = known_of(result)
-    if channels is None:
-        problem, instrument = prediction_problem(result, recording, found, place)
-    else:
-        problem, instrument = prediction_problem(result.replace(physics=()), recording, found, place)
+    plain = result if channels is None else result.replace(physics=())
+    problem, instrument = prediction_problem(plain, recording, found, place)
+    if channels is not None:
         body = problem.body
-        problem = dataclasses.replace(
-            problem,
-            held=tuple(known_effects(result)),
-            body=Body(problem.robot, problem.mechanism, body.q, body.tool, channels),
-        )
-    count, terms = 0, list[Term]()
-    while count < known.coefficients:
-        terms.append(problem.held[len(terms)])
-        count += terms[-1].n_coefficients
+        body = Body(problem.robot, problem.mechanism, body.q, body.tool, channels)
+        problem = dataclasses.replace(problem, held=tuple(known_effects(result)), body=body)
+    ends = np.cumsum([0, *(term.n_coefficients for term in problem.held)]).tolist()
+    terms = problem.held[: ends.index(known.coefficients)]
     mechanism = problem.mechanism
     named = dataclasses.replace(problem.with_names(known.parameters), held=problem.held[len(terms) :])
-    free = named.with_terms(terms, np.ones(count))
+    free = named.with_terms(terms, np.ones(known.coefficients))
     parameters = np.concatenate([problem.reference[: len(mechanism.parameters)], *(t.values.ravel() for t in terms)])
     machine = free.solve(parameters)
     like = kind_of(recording.kind).like(instrument_of(result.instrument), recording)

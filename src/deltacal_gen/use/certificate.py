@@ -157,13 +157,9 @@ def _budget(
         else "a reading, less what the calibrated machine is predicted to read",
         contributions=tuple(
             Contribution(
-                source=line.source,
-                evaluation=line.evaluation,
-                degrees=line.degrees,
-                sigma_mm=u,
-                share=u**2 / variance if variance > 0 else 0.0,
+                source=source, evaluation=how, degrees=own, sigma_mm=u, share=u**2 / variance if variance else 0.0
             )
-            for u, line in zip(sizes, lines, strict=True)
+            for (source, how, own, _), u in zip(lines, sizes, strict=True)
         ),
         sigma_mm=float(np.sqrt(variance)),
         degrees=degrees,

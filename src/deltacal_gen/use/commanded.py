@@ -109,12 +109,13 @@ def _finite(targets: object) -> Array:
     """Return targets as numbers; raise a UsageError where some are none, as a masked one is."""
     try:
         given: Any = np.ma.asarray(targets)
-        masked = given.astype(float) if given.dtype.kind != "c" else None
+        if given.dtype.kind == "c":
+            raise TypeError
+        out: Array = given.astype(float).filled(np.nan)
     except (TypeError, ValueError):
-        masked = None
-    if masked is None:
-        raise UsageError(f"a {type(targets).__name__} of no real numbers holds no targets: give an array (N, 3) [mm].")
-    out: Array = masked.filled(np.nan)
+        raise UsageError(
+            f"a {type(targets).__name__} of no real numbers holds no targets: give an array (N, 3) [mm]."
+        ) from None
     if not np.isfinite(out).all():
         row = int(np.argwhere(~np.isfinite(out))[0, 0]) if out.ndim else 0
         raise UsageError(f"target {row + 1} is not a finite number in every coordinate. Leave it out.")

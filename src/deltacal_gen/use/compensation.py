@@ -132,14 +132,13 @@ class Compensator:
         if not isinstance(robot, Robot):
             from deltacal_gen.use.prediction import calibrated_robot, known_effects  # the fit's own modules: not always
 
-            known = robot
-            robot, terms, begun = calibrated_robot(known), terms or known_effects(known), known.begun_s
-            corrected = known.correction is not None
-        if kind not in (known_kinds := [*CompensatorKind]):
-            raise UsageError(f"there is no compensator '{kind}'; there are {' and '.join(known_kinds)}.")
-        own = {"robot": robot, "kind": CompensatorKind(kind), "terms": terms, "begun": begun, "corrected": corrected}
-        for name, value in own.items():
-            object.__setattr__(self, name, value)
+            terms, begun, corrected = terms or known_effects(robot), robot.begun_s, robot.correction is not None
+            robot = calibrated_robot(robot)
+        if kind not in [*CompensatorKind]:
+            raise UsageError(f"there is no compensator '{kind}'; there are {' and '.join(CompensatorKind)}.")
+        own = robot, CompensatorKind(kind), terms, begun, corrected
+        for field, value in zip(dataclasses.fields(self), own, strict=True):
+            object.__setattr__(self, field.name, value)
         if self.kind is CompensatorKind.LINEAR and self.effects:
             named = ", ".join(t.effect for t in self.effects)
             raise UsageError(f"the linear compensator knows geometry only, not {named}. Use the exact one.")
@@ -217,8 +216,7 @@ class Compensator:
     @cached_property
     def _state(self) -> Array:
         """The machine as the kernels of one command read it, and room for their scratch: every call takes a copy."""
-        kernels, linear = self._kernels, self.kind is CompensatorKind.LINEAR
-        state = kernels.linear_state if linear else kernels.exact_state
+        state = getattr(self._kernels, f"{self.kind}_state")
         return np.asarray(state(self._rows[0], self.robot.tool, self.robot.joint_sign))
 
     def servo(self, *, change: bool = False) -> Servo:
@@ -264,9 +262,8 @@ class Compensator:
                 + ", ".join(t.effect for t in self.effects)
                 + "."
             )
-        kernels, linear = self._kernels, self.kind is CompensatorKind.LINEAR
-        command = kernels.linear_change if change else kernels.linear_command if linear else kernels.exact_command
-        return Servo(command, kernels.copied(self._state))
+        command = getattr(self._kernels, "linear_change" if change else f"{self.kind}_command")
+        return Servo(command, self._kernels.copied(self._state))
 
     def channels(self, columns: Mapping[str, Array | float], n: int) -> tuple[Channels, list[str]]:
         """Return what the effects read beside the target, for n commands, and in words what had to be assumed.
@@ -347,7 +344,7 @@ class Compensator:
         if self.kind is CompensatorKind.EXACT:
 
             def reach(q: Array, some: np.ndarray) -> tuple[Deformed, np.ndarray]:
-                return self._machine(q, tool[some], None if channels is None else channels.subset(some))
+                return self._machine(q, tool[some], None if channels is None else channels.subset(some))[1:]
 
             with_effects = reach if self.effects else None
             how = self._rows, self._drawn, with_effects
@@ -378,7 +375,7 @@ class Compensator:
         moved = by_errors @ self.mechanism.vector(self.robot.errors)
         return start + self.mechanism.undo(moved, x, start, tool, self._drawn)
 
-    def _machine(self, q: Array, tool: Array, channels: Channels | None) -> tuple[Deformed, np.ndarray]:
+    def _machine(self, q: Array, tool: Array, channels: Channels | None) -> tuple[Body, Deformed, np.ndarray]:
         """Return the machine in equilibrium with its effects at joints (N, n_q) as the geometry counts them."""
         at = self.channels({}, len(q))[0] if channels is None else channels
         effects = self.effects
@@ -390,17 +387,14 @@ class Compensator:
         for term in effects:
             if why := body.missing(term):
                 raise InputError(f"the effect '{term.effect}' needs {why}.", "Add it.", file=self.robot.source)
-        return body.solve(self.mechanism.vector(self.robot.errors), effects)
+        return body, *body.solve(self.mechanism.vector(self.robot.errors), effects)
 
     def beyond_laws(self, joints: Array, tool: Array | None = None, channels: Channels | None = None) -> np.ndarray:
         """Return which commands (N,), as `joints` gives them, lie outside the range in which a law was found."""
         if not any(is_law(t.effect) for t in self.effects):
             return np.zeros(len(joints), dtype=bool)
-        q = joints * self.robot.joint_sign
-        points = np.broadcast_to(np.asarray(self.robot.tool if tool is None else tool, dtype=float), (len(q), 3))
-        machine, _ = self._machine(q, points, channels)
-        at = self.channels({}, len(q))[0] if channels is None else channels
-        return outside(Body(self.robot, self.mechanism, q, points, at), machine, self.effects)
+        body, machine, _ = self._machine(joints * self.robot.joint_sign, self._tool(tool, len(joints)), channels)
+        return outside(body, machine, self.effects)
 
     def joints(
         self,
@@ -419,12 +413,12 @@ class Compensator:
         targets, tool = self._targets(targets, tool)
         joints, status = self.command(targets, tool, channels, near)
         beyond = self.beyond_limits(joints)
-        if flaws := [self._flaw(n, targets[n], joints[n], status[n], beyond[n]) for n in _failed(status, beyond)]:
-            more = f"\n  and {len(flaws) - _NAMED} more" if len(flaws) > _NAMED else ""
+        if failed := np.flatnonzero((status != SOLVED) | beyond.any(axis=1)).tolist():
+            named = [self._flaw(n, targets[n], joints[n], status[n], beyond[n]) for n in failed[:_NAMED]]
+            more = [f"and {len(failed) - _NAMED} more"] if len(failed) > _NAMED else []
             raise NoSolutionError(
-                f"{len(flaws)} of {len(targets)} targets have no joint command:\n  "
-                + "\n  ".join(flaws[:_NAMED])
-                + f"{more}\nMove them into the workspace, or leave them out."
+                "\n  ".join([f"{len(failed)} of {len(targets)} targets have no joint command:", *named, *more])
+                + "\nMove them into the workspace, or leave them out."
             )
         return joints
 
@@ -454,10 +448,9 @@ class Compensator:
     ) -> tuple[Array, np.ndarray]:
         """Return the pose (N, 12) that the calibrated machine really has, and the status (N,), at joint commands."""
         q = np.asarray(joints, dtype=float) * self.robot.joint_sign
-        tool = np.asarray(self.robot.tool if tool is None else tool, dtype=float)
+        tool = self._tool(tool, len(q))
         if self.effects:
-            every = np.ascontiguousarray(np.broadcast_to(tool, (len(q), 3)))
-            machine, status = self._machine(q, every, channels)
+            _, machine, status = self._machine(q, tool, channels)
             return machine.x, status
         return self.mechanism.forward(q, tool, self._rows)
 
@@ -497,8 +490,12 @@ class Compensator:
 
     def _targets(self, targets: Array, tool: Array | None) -> tuple[Array, Array]:
         targets = self.mechanism.targets(targets)
-        tool = np.asarray(self.robot.tool if tool is None else tool, dtype=float)
-        return targets, np.ascontiguousarray(np.broadcast_to(tool, (len(targets), 3)))
+        return targets, self._tool(tool, len(targets))
+
+    def _tool(self, tool: Array | None, n: int) -> Array:
+        """Return reference points (n, 3) in {O'}, the robot's own by default."""
+        given = np.asarray(self.robot.tool if tool is None else tool, dtype=float)
+        return np.ascontiguousarray(np.broadcast_to(given, (n, 3)))
 
     def _flaw(self, n: int, target: Array, joints: Array, status: int, beyond: np.ndarray) -> str:
         where = f"target {n + 1} ({', '.join(f'{v:g}' for v in target[:3])} mm)"
@@ -511,10 +508,6 @@ class Compensator:
         value, lower, upper = (v / to_internal(unit) for v in (joints[i], *limits[i]))
         allowed = f"its limits are {lower:g} to {upper:g} {file_unit(unit)}"
         return f"{where}: joint {i + 1} would go to {value:.4f}, but {allowed}"
-
-
-def _failed(status: np.ndarray, beyond: np.ndarray) -> list[int]:
-    return [int(n) for n in np.flatnonzero((status != SOLVED) | beyond.any(axis=1))]
 
 
 def largest(errors: Array) -> float:

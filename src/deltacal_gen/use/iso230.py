@@ -17,7 +17,7 @@ FEWEST = 2  # readings of a position from either side, without which nothing spr
 
 
 class Axis(NamedTuple):
-    """Figures of an axis [mm], over the positions that were read often enough from both sides.
+    """Figures of an axis [mm] by their letters, over the positions that were read often enough from both sides.
 
     `positions` (P,) says which; `means` and `spreads` (P, 2) are of the side from below and that from above.
     """
@@ -25,11 +25,11 @@ class Axis(NamedTuple):
     positions: np.ndarray
     means: Array
     spreads: Array
-    accuracy: float
-    systematic: float
-    repeatability: float
-    reversal: float
-    mean: float
+    A: float
+    E: float
+    R: float
+    B: float
+    M: float
 
 
 def axis(deviation: Array, position: np.ndarray, way: Array) -> Axis | None:
@@ -62,9 +62,9 @@ def axis(deviation: Array, position: np.ndarray, way: Array) -> Axis | None:
         positions=np.array(which),
         means=x,
         spreads=s,
-        accuracy=float((x + 2 * s).max() - (x - 2 * s).min()),
-        systematic=float(np.ptp(x)),
-        repeatability=float(repeated.max()),
-        reversal=float(reversal.max()),
-        mean=float(np.ptp(x.mean(axis=1))),
+        A=float((x + 2 * s).max() - (x - 2 * s).min()),
+        E=float(np.ptp(x)),
+        R=float(repeated.max()),
+        B=float(reversal.max()),
+        M=float(np.ptp(x.mean(axis=1))),
     )

@@ -18,6 +18,7 @@ from deltacal_gen.estimation.fit import fit
 from deltacal_gen.estimation.problem import Problem, pose_problem
 from deltacal_gen.estimation.solvers import LeastSquares
 from deltacal_gen.files.columns import ONE_SETUP
+from deltacal_gen.files.imported import recorded
 from deltacal_gen.files.robot import Robot, robot_of
 from deltacal_gen.instrument.kind import Instrument, Readings
 from deltacal_gen.instrument.kinds import POINTS, instrument_of, kind_of, readings
@@ -204,18 +205,15 @@ def commanded(
 ) -> Recording:
     """Return commands (N, n_q) as a recording of positions that the result's first set-up would read, or in {O}."""
     n, mechanism = len(joints), mechanism_of(calibrated_robot(result))
-    return Recording(
-        path=Path("targets"),
-        kind=POINTS,
+    return recorded(
+        Path("targets"),
+        POINTS,
+        mechanism.joint_units,
+        joints,
+        [f"{axis}_mm" for axis in mechanism.axes],
+        np.full((n, len(mechanism.axes)), np.nan),
         measurement=Measurement(kind=POINTS, frame=frame),
-        joint_unit=mechanism.joint_unit,
-        joints=joints,
-        columns=tuple(f"{axis}_mm" for axis in mechanism.axes),
-        measured=np.full((n, len(mechanism.axes)), np.nan),
-        pose=np.arange(1, n + 1).astype(str),
-        line=np.arange(2, n + 2),
         channels={k: np.broadcast_to(np.asarray(v, dtype=float), (n,)) for k, v in channels.items()},
-        setup=np.zeros(n, dtype=int),
         setup_names=result.instrument.setups[:1],
         tool=None if tool is None else np.broadcast_to(tool, (n, 3)),
     )

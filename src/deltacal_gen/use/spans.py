@@ -38,11 +38,6 @@ class Spans:
         """Return the channels that varied, by name."""
         return {name: span for name, span in self.known.items() if span[1] > span[0]}
 
-    def in_words(self) -> str:
-        """Return the ranges for a header."""
-        words = [f"{name} {low:g} to {high:g} {unit_of(name)[0]}" for name, (low, high) in self.items().items()]
-        return ", ".join(words) or "no channel varied"
-
     def in_channels(self, begun: float) -> str:
         """Return the ranges as a recording has them, which began at some time [s]: ``temp_C 18 to 25``."""
         words = []

@@ -34,7 +34,7 @@ def sentences(found: Result) -> list[str]:
     """
     robot = robot_of(found.robot)
     mechanism, tool = mechanism_of(robot), np.asarray(robot.tool, dtype=float)
-    prints = mechanism.name == firmware.MODEL.partition("/")[0]
+    prints = mechanism.name == firmware.PRINTER
     if not found.unidentifiable or (robot.workspace is None and not prints):
         return [""] * len(found.unidentifiable)
     if prints:
@@ -48,19 +48,18 @@ def sentences(found: Result) -> list[str]:
         return [""] * len(found.unidentifiable)
     moved = mechanism.sensitivity(x, q, tool, mechanism.rows(robot)).parameters[:, :3]
     takes = "the instrument's frame takes it" if found.base_frame else "these readings do not see it"
+    units = {p.name: p.unit for p in mechanism.parameters}
     told = []
     for c in found.unidentifiable:
-        if not c.terms.keys() <= mechanism.index.keys():  # something of the instrument goes along: its own words say it
-            told.append("")
-            continue
-        by = np.zeros(moved.shape[2])
-        for name, size in c.terms.items():
-            by[mechanism.index[name]] = size * to_internal(mechanism.parameters[mechanism.index[name]].unit)
-        shift, alone = moved @ by, np.abs(moved * by).max()
-        sentence, whole = _told(shift, alone, x[:, :3]) if c.seen == "not at all" else ("", False)
-        if not sentence and on_bed.any():
-            sentence = _on_the_bed(shift[on_bed], x[on_bed, :3])
-        told.append(f"{sentence}: {takes}" if whole else sentence)
+        sentence = ""
+        if c.terms.keys() <= units.keys():  # else something of the instrument goes along: its own words say it
+            by = mechanism.vector({name: size * to_internal(units[name]) for name, size in c.terms.items()})
+            shift, alone = moved @ by, np.abs(moved * by).max()
+            if c.seen == "not at all":
+                sentence = _told(shift, alone, x[:, :3], takes)
+            if not sentence and on_bed.any():
+                sentence = _on_the_bed(shift[on_bed], x[on_bed, :3])
+        told.append(sentence)
     return told
 
 
@@ -86,19 +85,19 @@ def _on_the_bed(shift: Array, points: Array) -> str:
     )
 
 
-def _told(shift: Array, alone: float, points: Array) -> tuple[str, bool]:
-    """Say what shifts (N, 3) of points (N, 3) are, and whether they are a motion of the machine as a whole.
+def _told(shift: Array, alone: float, points: Array, takes: str) -> str:
+    """Say what shifts (N, 3) of points (N, 3) are, and what `takes` a motion of the machine as a whole.
 
     `alone` is the largest that a parameter makes by itself [mm].
     """
     largest = np.abs(shift).max()
     if largest <= STILL * alone:
-        return "the measured point stays where it is, wherever the machine stands", False
+        return "the measured point stays where it is, wherever the machine stands"
     turns = swept(points - points.mean(axis=0))
     A = np.concatenate([np.tile(np.eye(3), (len(points), 1, 1)), turns], axis=2)
     motion = np.linalg.lstsq(A.reshape(-1, 6), shift.ravel(), rcond=None)[0]
     if np.abs(shift - A @ motion).max() > RIGID * largest:
-        return "", False
+        return ""
     along, about = motion[:3], motion[3:]
     shares = [np.abs(along).max(), np.abs(A[:, :, 3:] @ about).max()]
     parts = []
@@ -106,7 +105,7 @@ def _told(shift: Array, alone: float, points: Array) -> tuple[str, bool]:
         parts.append(f"turned about {_axis(about)} ({np.linalg.norm(about) / DEG:.2g} deg)")
     if shares[0] > SHARE * largest:
         parts.append(f"shifted along {_axis(along)} ({np.linalg.norm(along):.2g} mm)")
-    return f"the machine as a whole {' and '.join(parts)}", True
+    return f"the machine as a whole {' and '.join(parts)}: {takes}"
 
 
 def _axis(direction: Array) -> str:

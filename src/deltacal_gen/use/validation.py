@@ -231,19 +231,13 @@ def _of_axis(found: Readings, r: Array, recording: Recording) -> Iso230 | None:
     (unit,) = map(file_unit, of_joints(recording.joint_unit, 1))
     first = np.array([rows[found.group == p][0] for p in done.positions])
     at = recording.joints[first, 0] / to_internal(unit)
-    places = (
-        AxisPlace(at=a, up_mm=up, down_mm=down, up_std_mm=up_std, down_std_mm=down_std)
-        for a, up, down, up_std, down_std in np.column_stack([at, done.means, done.spreads])[np.argsort(at)].tolist()
-    )
+    rows_by_place = np.column_stack([at, done.means, done.spreads])[np.argsort(at)].tolist()
+    names = ("at", "up_mm", "down_mm", "up_std_mm", "down_std_mm")
     return Iso230(
         poses=len(done.positions),
-        A_mm=done.accuracy,
-        E_mm=done.systematic,
-        R_mm=done.repeatability,
-        B_mm=done.reversal,
-        M_mm=done.mean,
+        **{f"{letter}_mm": getattr(done, letter) for letter in "AERBM"},
         unit=unit,
-        places=tuple(places),
+        places=tuple(AxisPlace(**dict(zip(names, row, strict=True))) for row in rows_by_place),
         note="wanted is what the calibrated model predicts at the joint commanded",
     )
 

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Annotated, Any, Literal
 
 import numpy as np
-from pydantic import Field
+from pydantic import ConfigDict, Field
 from scipy.interpolate import RegularGridInterpolator
 from scipy.ndimage import binary_dilation
 
@@ -44,24 +44,12 @@ TABLE_DECIMALS = 7  # of a correction in deg or mm: at a metre, 2e-6 mm
 ON_THE_RIM = 1e-9  # of a step: a target on the rim may round to beyond it
 _CHUNK = 100_000  # points evaluated at once
 _SCHEMA = "deltacal.table/1"
-_KEYS = {  # of the header, by the names of what they hold
-    "worst_mm": "worst_mm",
-    "missed": "missed",
-    "robot": "robot",
-    "mechanism": "mechanism",
-    "model": "model",
-    "kind": "kind",
-    "digest": "parameters_sha256",
-    "tool": "tool_mm",
-    "origin": "origin_mm",
-    "step": "step_mm",
-    "nodes": "nodes",
-    "columns": "columns",
-}
 
 
 class _Header(Table):
     """The lines ``#:`` of a table."""
+
+    model_config = ConfigDict(populate_by_name=True)
 
     form: Literal["deltacal.table/1"] = Field(alias="schema")
     worst_mm: Number
@@ -70,10 +58,10 @@ class _Header(Table):
     mechanism: str
     model: str
     kind: CompensatorKind
-    parameters_sha256: str
-    tool_mm: Vector
-    origin_mm: Vector
-    step_mm: Annotated[tuple[Positive, ...], Field(min_length=3, max_length=3)]
+    digest: str = Field(alias="parameters_sha256")
+    tool: Vector = Field(alias="tool_mm")
+    origin: Vector = Field(alias="origin_mm")
+    step: Annotated[tuple[Positive, ...], Field(alias="step_mm", min_length=3, max_length=3)]
     nodes: Annotated[tuple[Annotated[int, Field(ge=2)], ...], Field(min_length=3, max_length=3)]
     columns: tuple[Column, ...] = ((),)
 
@@ -374,15 +362,15 @@ def _table_text(table: TableCompensator, compensator: Compensator, over: Spans) 
             "approach1 = +1 or -1, the direction in which the joint last moved. Effects: "
             + ", ".join(t.effect for t in compensator.effects)
             + "; after every jump, and",
-            f"at rest. Recorded were: {over.in_words()}; worst_mm holds within these.",
+            f"at rest. Recorded were: {over.in_channels(compensator.begun)}; worst_mm holds within these.",
         )
     if compensator.corrected:
         prose += (f"{LEFT_OUT}: commands for targets in a file have it.",)
-    facts = {key: np.array(getattr(table, name)).tolist() for name, key in _KEYS.items() if name != "columns"}
-    if len(table.columns) > 1:
-        facts["columns"] = table.columns
+    own = {name: np.array(getattr(table, name)).tolist() for name in _Header.model_fields if hasattr(table, name)}
+    header = _Header.model_validate(own | {"form": _SCHEMA, "columns": table.columns})
+    facts = header.model_dump(mode="json", by_alias=True, exclude_defaults=True)
     lines = [f"# {line}" for line in prose]
-    lines += [f"#: {key} = {_toml(value)}" for key, value in {"schema": _SCHEMA, **facts}.items()]
+    lines += [f"#: {key} = {_toml(value)}" for key, value in facts.items()]
     lines.append(",".join(_table_header(table.columns, count, unit)))
     values = table.corrections.reshape(-1, count * len(table.columns)) / to_internal(table.joint_unit)
     places = itertools.product(*([f"{v:.6f}" for v in axis] for axis in table.axes))
@@ -431,7 +419,7 @@ def read_table(path: str | Path) -> TableCompensator:
         except ValueError:
             raise _damaged(path, top + 2 + n, f"{len(header)} numbers were expected") from None
     corrections = values[:, 3:].reshape(*facts.nodes, len(facts.columns), joints) * to_internal(fitting[0])
-    own: dict[str, Any] = {name: getattr(facts, key) for name, key in _KEYS.items() if name != "nodes"}
+    own: dict[str, Any] = {name: value for name, value in facts if name not in ("form", "nodes")}
     own |= {name: np.array(own[name]) for name in ("origin", "step", "tool")}
     table = TableCompensator(corrections=corrections, joint_unit=fitting[0], **own)
     if len(strays := np.flatnonzero(~(np.abs(values[:, :3] - _lattice(table.axes)) < 1e-5).all(axis=1))):
