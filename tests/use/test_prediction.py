@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 import json
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 import pytest
@@ -183,7 +183,9 @@ def test_residuals_are_measured_minus_predicted(
 class ByRow(MachineState):
     """A machine of which a moment is known by the row that it came before."""
 
-    clock = "row"
+    @property
+    def clock(self) -> Literal["time_s", "row"]:
+        return "row"
 
 
 def with_effects(result: Result, *terms: Term, kind: type[MachineState] = MachineState) -> MachineState:
