@@ -23,7 +23,7 @@ from deltacal_gen.identification.identifiability import identification_matrix
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.registry import SOLVED, load_mechanism, mechanism_of
 from deltacal_gen.machine.values import Measurement
-from deltacal_gen.pages.plans import figure
+from deltacal_gen.pages.plans import write
 from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.planning import matrix, optimal, planning, reach, singularities, targets
 from deltacal_gen.units import DEG
@@ -339,17 +339,17 @@ def test_a_plan_without_a_choice_says_so(robot: Robot) -> None:
 
 
 def test_figure_shows_chosen_n_and_is_reproducible(robot: Robot, tmp_path: Path) -> None:
-    plans = [planning.plan_poses(robot, model, start_angle=75 * DEG, n_max=10) for model in ("18", "32")]
+    plans = [planning.plan_poses(robot, model, start_angle=75 * DEG, n_max=10).answer() for model in ("18", "32")]
     for name in ("a.svg", "b.svg"):
-        figure(plans, tmp_path / name)
+        write(plans, tmp_path / name)
     text = (tmp_path / "a.svg").read_text()
     for words in ("n = 7", "n = 9", "poses per layer", "condition number", "delta/32, 2 reference points"):
         assert words in text
     assert (tmp_path / "b.svg").read_text() == text
     with pytest.raises(UsageError, match="no set of poses has the full rank"):
-        figure(planning.plan_poses(robot, "18", n_max=3), tmp_path / "c.svg")
+        write([planning.plan_poses(robot, "18", n_max=3).answer()], tmp_path / "c.svg")
     with pytest.raises(InputError, match="the file cannot be written"):
-        figure(plans, tmp_path / "no folder" / "d.svg")
+        write(plans, tmp_path / "no folder" / "d.svg")
 
 
 def test_calls_that_make_no_sense(robot: Robot) -> None:

@@ -51,7 +51,7 @@ def test_an_answer_shows_itself_in_a_line_and_in_a_table(result: dc.Result, diag
 def test_a_table_is_a_data_frame(result: dc.Result) -> None:
     frame = result.to_dataframe()
     assert isinstance(frame, pd.DataFrame)
-    assert list(frame.columns) == ["name", "value", "std", "unit", "status"]
+    assert list(frame.columns) == ["name", "value", "std", "unit", "status", "meaning"]
     assert frame.set_index("name")["value"]["L_1"] == next(p.value for p in result.parameters if p.name == "L_1")
 
 

@@ -18,6 +18,7 @@ from deltacal_gen.diagnosis.findings import Named
 from deltacal_gen.diagnosis.harmonics import order_of, unrepeated
 from deltacal_gen.diagnosis.laws.laws import Lawful
 from deltacal_gen.diagnosis.laws.told import told
+from deltacal_gen.diagnosis.partial import with_partial_residuals
 from deltacal_gen.diagnosis.search import SCATTERED
 from deltacal_gen.diagnosis.spectrum import Spectrum, Standing
 from deltacal_gen.diagnosis.words import effects_in_words
@@ -127,18 +128,20 @@ class Diagnosed:
 
 def result_of(found: Diagnosed) -> Diagnosis:
     """Return what was found as the answer of the command: figures in mm, curves and wording among them."""
-    baseline, final, sigma = found.baseline, found.final, found.noise.sigma
+    return with_partial_residuals(_without_partial_residuals(found))
+
+
+def _without_partial_residuals(found: Diagnosed) -> Diagnosis:
+    final, sigma = found.final, found.noise.sigma
     before, after = (heldout if np.isfinite(heldout) else None for heldout in found.heldout)
-    of_baseline, of_final = ((coordinate_sigma(at) / sigma) ** 2 for at in (baseline, final))
+    of_final = (coordinate_sigma(final) / sigma) ** 2
     unit, unknowns = final.instrument.unit(final.problem.recording.columns), unknowns_of(final)
     clock: Literal["time_s", "row"] = "row" if final.problem.body.channels.get("time") is None else "time_s"
     return Diagnosis(
         verdict=found.verdict,
         summary=" ".join(filter(None, (_summary(found), found.noise.contradiction, *_doubts(found)))),
         noise=NoiseLevel(sigma_mm=found.noise.told, source=found.noise.source, model=noise_model(final, found.noise)),
-        baseline=Baseline(
-            model=found.model, train_rms_mm=baseline.rms(), heldout_rms_mm=before, chi2_per_dof=of_baseline
-        ),
+        baseline=_baseline(found, before),
         location=found.location,
         effects=(
             *([_periodic(found, found.spectrum)] if found.spectrum is not None else []),
@@ -172,6 +175,16 @@ def result_of(found: Diagnosed) -> Diagnosis:
         turned=found.turned or None,
         motion=final.problem.recording.motion,
         laws=told(found.laws, final),
+    )
+
+
+def _baseline(found: Diagnosed, heldout: float | None) -> Baseline:
+    return Baseline(
+        model=found.model,
+        parameters=len(found.final.problem.mechanism.model(found.model)),
+        train_rms_mm=found.baseline.rms(),
+        heldout_rms_mm=heldout,
+        chi2_per_dof=(coordinate_sigma(found.baseline) / found.noise.sigma) ** 2,
     )
 
 

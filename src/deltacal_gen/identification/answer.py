@@ -10,6 +10,7 @@ import numpy as np
 
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.prior import BROAD
+from deltacal_gen.estimation.residuals import lengths
 from deltacal_gen.files.robot import kept_robot
 from deltacal_gen.identification import identifiability
 from deltacal_gen.identification.accuracy import distance_error, largest, volumetric_error
@@ -27,6 +28,7 @@ from deltacal_gen.results.result import (
     Accuracy,
     BaseFrame,
     BaseParameter,
+    FitResiduals,
     Largest,
     OpenCombination,
     Parameter,
@@ -133,8 +135,18 @@ def parameter_table(
             std=std[p.name] / to_internal(p.unit) if p.name in std else None,
             unit=file_unit(p.unit),
             status=status.get(p.name, Status.FIXED),
+            meaning=p.meaning,
         )
         for p, value in zip(mechanism.parameters, change, strict=True)
+    )
+
+
+def _residuals(final: Fit) -> FitResiduals:
+    readings = final.problem.readings
+    return FitResiduals(
+        line=readings.line,
+        position_mm=final.machine.x[readings.rows[:, 0], :3],
+        error_mm=lengths(final.residual, readings.kind),
     )
 
 
@@ -187,6 +199,7 @@ def result_of(found: Identification) -> Result:
         physics_not_held=found.not_held,
         continued=found.continued,
         begun_s=problem.body.channels.begun,
+        residuals=_residuals(final),
         instrument=final.instrument.kept(recording.setup_names, recording.measurement.zero, recording.columns),
         robot=kept_robot(found.robot),
         uncertainty=found.uncertainty,

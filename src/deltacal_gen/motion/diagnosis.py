@@ -18,7 +18,7 @@ from deltacal_gen.motion.ladder import BUYS, SEVERAL, LookedAt
 from deltacal_gen.motion.lag import LATENCY
 from deltacal_gen.motion.laws import Lawful, lawful, registered
 from deltacal_gen.motion.mistakes import check, sizes_alone, too_heavy
-from deltacal_gen.motion.payload import NAMES, PAYLOAD, PayloadError
+from deltacal_gen.motion.payload import ADVICE, NAMES, PAYLOAD, PayloadError
 from deltacal_gen.motion.session import Session, still_to_move, to_move, untold
 from deltacal_gen.motion.told import told
 from deltacal_gen.motion.traces import traces
@@ -146,6 +146,7 @@ def _latency(fits: Sequence[Fit], excess: Mapping[int, float]) -> TorqueEffect:
     removed = sum(excess[f.joint.number] * ((1.0 - lag.bought) ** -2 - 1.0) / f.takes_away for f, lag in lags)
     return TorqueEffect(
         name=LATENCY,
+        advice=load_effect(LATENCY).ADVICE,
         title=_late_or_early([lag.delay for _, lag in lags]),
         limbs=tuple(fit.joint.number for fit, _ in lags),
         parameters=tuple(
@@ -193,6 +194,7 @@ def _effect(session: Session, where: Sequence[tuple[Fit, int]], excess: Mapping[
     return TorqueEffect(
         name=fit.rungs[n].effect,
         title=kernels.TITLE,
+        advice=kernels.ADVICE,
         limbs=tuple(fit.joint.number for fit, _ in where),
         parameters=parameters,
         common=None if common is None else common.parameters,
@@ -224,6 +226,7 @@ def _payload(payload: PayloadError, whole: Found, plain: Sequence[Fit]) -> Torqu
     return TorqueEffect(
         name=PAYLOAD,
         title="a payload that is not what was written",
+        advice=ADVICE,
         limbs=(),
         parameters=tuple(parameters),
         p_value=float(chi2.sf(payload.gain, int(np.isfinite(payload.std).sum()))),

@@ -9,7 +9,6 @@ from __future__ import annotations
 import io
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -20,24 +19,15 @@ from matplotlib.axis import Axis
 from matplotlib.figure import Figure
 from matplotlib.ticker import PercentFormatter
 
-from deltacal_gen.files.robot import robot_of
 from deltacal_gen.files.writing import staging
-from deltacal_gen.instrument.kinds import POINTS, kind_of
-from deltacal_gen.machine.places import at
-from deltacal_gen.machine.registry import Array, mechanism_of
-from deltacal_gen.machine.values import Robot
-from deltacal_gen.physics.body import Body
-from deltacal_gen.physics.channels import Channels
-from deltacal_gen.physics.reading import reading_shift
-from deltacal_gen.physics.terms import term_of
 from deltacal_gen.results.base import shown_in
 from deltacal_gen.results.batch import Row
-from deltacal_gen.results.diagnosis import Baseline, Diagnosis, Effect, Final, Hint, Verdict
+from deltacal_gen.results.diagnosis import Baseline, Diagnosis, Effect, Final, Hint, PartialResiduals, Verdict
 from deltacal_gen.results.parts import EffectName
+from deltacal_gen.results.places import Places
 from deltacal_gen.results.result import Result, Status
 from deltacal_gen.results.study import Advice, Position, Study, Suspect
 from deltacal_gen.states import of_column
-from deltacal_gen.units import file_unit, joint_factors, joint_names, to_internal
 
 MOST_LAYERS = 12  # of a workspace, drawn side by side
 INK, MUTED, BEFORE, AFTER = "#1c2733", "#6b7885", "#c8553d", "#2a6f97"
@@ -252,106 +242,22 @@ def channel_label(name: str) -> str:
     return state.called.format(i=number) + (f", {unit}" if unit != PURE else "")
 
 
-@dataclass(frozen=True)
-class Seen:
-    """Residuals of a DIAGNOSIS.json as one number per reading, where the cause is seen best.
-
-    without, after (R,): the strongest effect switched off (what geometry alone leaves, where none was found), and with
-    all that was found.
-    """
-
-    without: Array
-    after: Array
-    label: str
-    title: str
-
-
-def seen(found: Diagnosis) -> Seen:
-    """Return residuals as the error of the joint that is at fault, else along the direction in which most is left.
-
-    Geometry that is fitted without an effect follows part of it. What the effect does shows undistorted as a partial
-    residual: what is left in the end, and what the effect adds there.
-    """
-    before, after = found.residuals.before_mm, found.residuals.after_mm
-    title, (unit, size) = "geometry alone", shown_in(found)
-    strongest = max(range(len(found.effects)), key=lambda i: found.effects[i].share_of_excess, default=None)
-    limbs = found.location.limbs if strongest is None else found.effects[strongest].limbs
-    if strongest is not None and (added := _of_finding(found, found.effects[strongest])) is not None:
-        before, title = after + added, f"without {found.effects[strongest].name.replace('_', ' ')}"
-    if before.shape[1] == 1:
-        return Seen(before[:, 0] / size, after[:, 0] / size, f"residual, {unit}", title)
-    if len(limbs) == 1 and _one_frame(found):
-        unit = mechanism_of(robot_of(found.robot)).joint_units[limbs[0] - 1]
-        at_joint = _at_joints(found)[:, limbs[0] - 1] / to_internal(unit)
-        label = f"error of joint {limbs[0]}, {file_unit(unit)}"
-        return Seen((at_joint * before).sum(axis=1), (at_joint * after).sum(axis=1), label, title)
-    centred = np.nan_to_num(before - np.nanmedian(before, axis=0))
-    along = np.linalg.svd(centred, full_matrices=False)[2][0]
-    return Seen(before @ along / size, after @ along / size, f"residual where most is left, {unit}", title)
-
-
-def _of_finding(found: Diagnosis, strongest: Effect) -> Array | None:
-    """Return what an effect, a periodic error with its harmonics, adds to readings (R, 3) [mm]; see `contribution`."""
-    first = next(e for e in found.findings if strongest in (e, *found.harmonics(e)))
-    own = (first, *found.harmonics(first))
-    parts = [contribution(found, i) for i, e in enumerate(found.effects) if e in own]
-    return None if any(p is None for p in parts) else np.sum([p for p in parts if p is not None], axis=0)
-
-
-def _one_frame(found: Diagnosis) -> bool:
-    return kind_of(found.instrument.kind).positions and len(found.instrument.setups) == 1
-
-
-def contribution(found: Diagnosis, effect: int) -> Array | None:
-    """Return what an effect adds to the readings (R, 3) [mm], or None where the readings are of another kind."""
-    if not _one_frame(found):
-        return None
-    body, errors = body_of(found)
-    terms = [term_of(t) for t in found.physics]
-    others = [t for i, t in enumerate(terms) if i != effect]
-    if any(body.missing(t) for t in terms):
-        return None
-    with_it, without = body.solve(errors, terms)[0].x[:, :3], body.solve(errors, others)[0].x[:, :3]
-    turn, origin = np.split(found.instrument.state[0, :12], [9])
-    read = [x @ turn.reshape(3, 3).T + origin for x in (with_it, without)]
-    positions = kind_of(POINTS).taken(np.arange(len(with_it))[:, None], values=with_it)
-    shifted = [r + reading_shift(t, body, positions, r, with_it)[0] for r, t in zip(read, (terms, others), strict=True)]
-    out: Array = shifted[0] - shifted[1]
-    return out
-
-
-def body_of(found: Diagnosis) -> tuple[Body, Array]:
-    """Return the calibrated machine of a DIAGNOSIS.json at its readings, and its source errors."""
-    robot = robot_of(found.robot)
-    mechanism = mechanism_of(robot)
-    unit = mechanism.joint_unit
-    columns = found.residuals.channels
-    n = mechanism.limbs
-    q = np.column_stack([columns[name] for name in joint_names(unit, n)]) * joint_factors(unit, n)
-    tool = np.ascontiguousarray(np.broadcast_to(robot.tool, (len(q), 3)))
-    channels = Channels.from_columns(columns, q.shape, robot, unit)
-    return Body(robot, mechanism, q, tool, channels), mechanism.vector(robot.errors)
-
-
-def _at_joints(found: Diagnosis) -> Array:
-    """Return what turns a position's residual into errors of the joints, (R, n_q, 3), at the calibrated machine."""
-    body, errors = body_of(found)
-    machine, _ = body.solve(errors, ())
-    speed = body.sensitivity(machine).joints[:, :3]
-    turn = found.instrument.state[0, :9].reshape(3, 3)  # of {O} in the instrument's frame
-    out: Array = np.linalg.pinv(speed) @ turn.T
-    return out
-
-
 def main_channel(found: Diagnosis) -> str | None:
     """Return the recorded channel that matters most, or None."""
-    known = found.residuals.channels
+    known = found.residuals.channels if found.residuals.partial is not None else ()
     return next((c.name for c in found.location.channels if c.name in known), None)
+
+
+def before_title(found: Diagnosis, channel: str | None) -> str:
+    """Return what stands over the picture of what was before: against a channel, or over the workspace."""
+    partial = found.residuals.partial
+    return "geometry alone" if channel is None or partial is None else partial.title
 
 
 def against(axes: Axes, found: Diagnosis, channel: str, *, after: bool) -> None:
     """Draw what is left against a channel, on the scale of what geometry alone leaves."""
-    picked = seen(found)
+    partial = found.residuals.partial
+    assert partial is not None  # `against` is asked of answers that have it
     values = found.residuals.channels[channel]
     levels = np.unique(values[np.isfinite(values)])
     few = len(levels) <= 5
@@ -359,20 +265,20 @@ def against(axes: Axes, found: Diagnosis, channel: str, *, after: bool) -> None:
         np.diff(levels).min() if len(levels) > 1 else 1
     )
     axes.axhline(0, color=MUTED, lw=0.8)
-    y = picked.after if after else picked.without
+    y = partial.after if after else partial.before
     axes.plot(values + (jitter if few else 0.0), y, "o", ms=3.2, mew=0, alpha=0.75, color=AFTER if after else BEFORE)
-    _limits(axes, picked)
+    _limits(axes, partial)
     axes.set_xlabel(channel_label(channel))
-    axes.set_ylabel(picked.label)
+    axes.set_ylabel(f"{partial.of}, {partial.unit}")
     if few:
         ways = of_column(channel).levels
         words = {way: f"{way:+.0f}, {'increasing' if way > 0 else 'decreasing'}" for way in ways}
         axes.set_xticks(levels, [words.get(float(v), f"{v:g}") for v in levels])
 
 
-def _limits(axes: Axes, picked: Seen) -> None:
+def _limits(axes: Axes, partial: PartialResiduals) -> None:
     """Set the scale so that nearly all of both states fits; gross errors do not stretch it."""
-    size = np.abs(np.concatenate([picked.without, picked.after]))
+    size = np.abs(np.concatenate([partial.before, partial.after]))
     top = 1.25 * float(np.nanpercentile(size, 98)) or 1.0
     axes.set_ylim(-top, top)
 
@@ -430,7 +336,7 @@ def diagnosis(found: Diagnosis) -> Sheet:
             against(axes[0], found, channel, after=False)
             against(axes[1], found, channel, after=True)
             axes[1].set_ylabel("")
-        axes[0].set_title("geometry alone" if channel is None else seen(found).title)
+        axes[0].set_title(before_title(found, channel))
         axes[1].set_title("with what was found")
         bars(axes[2], found)
         title = {
@@ -438,7 +344,7 @@ def diagnosis(found: Diagnosis) -> Sheet:
             Verdict.MISSING_PHYSICS: "; ".join(
                 [
                     *("a law that nobody has registered" for _ in found.laws[:1]),
-                    *(named(e, robot_of(found.robot)) for e in found.findings),
+                    *(named(e, found.robot.places) for e in found.findings),
                 ]
             ),
             Verdict.UNEXPLAINED: "a mismatch that no known effect explains",
@@ -447,9 +353,9 @@ def diagnosis(found: Diagnosis) -> Sheet:
     return figure
 
 
-def named(effect: Effect | EffectName | Hint, robot: Robot, part: str | None = None) -> str:
-    """Return an effect and where it sits; see `place_of`."""
-    return f"{effect.name.replace('_', ' ')}{at(robot, effect.limbs, part)}"
+def named(effect: Effect | EffectName | Hint, places: Places, part: str | None = None) -> str:
+    """Return an effect and where it sits."""
+    return f"{effect.name.replace('_', ' ')}{places.at(effect.limbs, part)}"
 
 
 # ------------------------------------------------------------------------------------------------- studies and fleets

@@ -11,32 +11,34 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 
-from deltacal_gen.machine import places
-from deltacal_gen.machine.values import Robot
 from deltacal_gen.pages.figures import AFTER, BEFORE, MUTED
-from deltacal_gen.physics.formula import formula
 from deltacal_gen.results.diagnosis import LawCurve, LawOf, LawTerm, RunnerUp
 from deltacal_gen.results.document import rounded
+from deltacal_gen.results.places import Places
 
+ADVICE = (
+    "Nobody has registered this: it was read from the recording. Look for a part that behaves so; until then command "
+    "by the states that it names."
+)
 WITHIN = 1.96  # standard deviations of the band: 95 %
 _SIGNS = {ast.Lt: "&lt;", ast.LtE: "≤", ast.Gt: "&gt;", ast.GtE: "≥"}
 _BINDS = {ast.Add: 1, ast.Sub: 1, ast.Mult: 2, ast.Div: 3, ast.Pow: 4}
 
 
-def where(term: LawTerm, robot: Robot) -> str:
+def where(term: LawTerm, places: Places) -> str:
     """Return at which limbs a term sits, in words."""
-    return places.at(robot, term.limbs, _part(term, robot))
+    return places.at(term.limbs, _part(term, places))
 
 
-def _part(term: LawTerm | RunnerUp, robot: Robot) -> str:
+def _part(term: LawTerm | RunnerUp, places: Places) -> str:
     """Return what the limbs of a term are called: drives are of joints."""
-    return "joint" if term.target == "torque" else places.places_of(robot).part
+    return "joint" if term.target == "torque" else places.part
 
 
-def headline(law: LawOf, robot: Robot) -> str:
+def headline(law: LawOf, places: Places) -> str:
     """Return a law in a few words."""
     return "A law that nobody has registered: " + " and ".join(
-        f"{t.target} goes with {' and '.join(_states(t))}{where(t, robot)}" for t in law.terms
+        f"{t.target} goes with {' and '.join(_states(t))}{where(t, places)}" for t in law.terms
     )
 
 
@@ -46,16 +48,18 @@ def title(law: LawOf) -> str:
 
 
 def _states(term: LawTerm) -> tuple[str, ...]:
-    own = {c.name for c in term.coefficients}
-    return tuple(n for n in formula(term.expression).names if n not in own)
+    tree, own = ast.parse(term.expression, mode="eval"), {c.name for c in term.coefficients}
+    called = {node.func for node in ast.walk(tree) if isinstance(node, ast.Call)}
+    names = (node.id for node in ast.walk(tree) if isinstance(node, ast.Name) and node not in called)
+    return tuple(dict.fromkeys(name for name in names if name not in own))
 
 
-def rows(law: LawOf, robot: Robot) -> list[tuple[str, ...]]:
+def rows(law: LawOf, places: Places) -> list[tuple[str, ...]]:
     """Return the numbers of a law, as a table has them."""
     return [
         (
             t.target,
-            "" if c.limb is None else places.places_of(robot).number(c.limb),
+            "" if c.limb is None else places.number(c.limb),
             c.name,
             _number(c.value, c.std),
             "" if c.unit == "1" else c.unit,
@@ -79,7 +83,7 @@ def mathematics(law: LawOf) -> list[str]:
 
 def mathml(expression: str) -> str:
     """Return a formula of the language of laws as presentation MathML."""
-    return f"<mrow>{_of(formula(expression).tree)}</mrow>"
+    return f"<mrow>{_of(ast.parse(expression, mode='eval').body)}</mrow>"
 
 
 def _of(node: ast.expr, outer: int = 0) -> str:
@@ -172,16 +176,16 @@ def along(axes: Axes, law: LawOf, curve: LawCurve) -> None:
 
 
 def described(
-    law: LawOf, others: tuple[LawOf, ...], heldout: str, robot: Robot, remainder: float | None = None
+    law: LawOf, others: tuple[LawOf, ...], heldout: str, places: Places, remainder: float | None = None
 ) -> dict[str, Any]:
     """Return what a page says of a law beside its picture; `heldout` is what is left of readings, with the unit."""
     seen = ", ".join(f"{s} {low:.4g} to {high:.4g}" for s, (low, high) in law.range.items())
     return {
         "mathematics": mathematics(law),
-        "rows": rows(law, robot),
-        "places": [f"{t.target}{where(t, robot)}" for t in law.terms],
+        "rows": rows(law, places),
+        "places": [f"{t.target}{where(t, places)}" for t in law.terms],
         "range": seen,
-        "part": _part(law.terms[0], robot),
+        "part": _part(law.terms[0], places),
         "heldout": heldout,
         "share": f"{law.share_of_excess:.0%}",
         "gain": f"{law.gain:.0f}",
@@ -191,12 +195,12 @@ def described(
         "tried": law.forms_tried,
         "runners_up": [
             (
-                f"{r.target} by {r.expression}{places.at(robot, r.limbs, _part(r, robot))}",
+                f"{r.target} by {r.expression}{places.at(r.limbs, _part(r, places))}",
                 f"{r.gain:.0f}",
                 f"{r.charge:.0f}",
                 f"{r.gain - r.charge:.0f}",
             )
             for r in law.runners_up
         ],
-        "others": [" and ".join(f"{t.target} by {t.expression}{where(t, robot)}" for t in o.terms) for o in others],
+        "others": [" and ".join(f"{t.target} by {t.expression}{where(t, places)}" for t in o.terms) for o in others],
     }

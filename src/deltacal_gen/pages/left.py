@@ -7,9 +7,6 @@ from dataclasses import dataclass
 import numpy as np
 from matplotlib.axes import Axes
 
-from deltacal_gen.estimation.fitted import Fit
-from deltacal_gen.estimation.residuals import lengths
-from deltacal_gen.machine.registry import Array
 from deltacal_gen.pages.figures import AFTER, BEFORE, MUTED
 from deltacal_gen.results.base import shown_in
 from deltacal_gen.results.result import Result
@@ -39,17 +36,17 @@ class Left:
     unit : str
     """
 
-    errors: Array
+    errors: np.ndarray
     line: np.ndarray
-    place: Array
+    place: np.ndarray
     gross: tuple[int, ...]
     sigma: float
     unit: str
 
     @property
-    def size(self) -> Array:
+    def size(self) -> np.ndarray:
         """Length (R,) of each error."""
-        size: Array = np.sqrt(np.nansum(self.errors**2, axis=1))
+        size: np.ndarray = np.sqrt(np.nansum(self.errors**2, axis=1))
         return size
 
     @property
@@ -64,14 +61,15 @@ class Left:
         return tuple((words, a, b) for words, a, b in VIEWS if wide[a] and wide[b] and np.isfinite(self.place).all())
 
 
-def left_by(fit: Fit, found: Result) -> Left:
-    """Return what a fit leaves, as its answer's figures are shown."""
-    readings = fit.problem.readings
+def left_of(found: Result) -> Left | None:
+    """Return what a fit leaves, as its answer's figures are shown; None in answers that do not hold it."""
+    if found.residuals is None:
+        return None
     unit, size = shown_in(found)
     return Left(
-        errors=lengths(fit.residual, readings.kind) / size,
-        line=readings.line,
-        place=fit.machine.x[readings.rows[:, 0], :3],
+        errors=found.residuals.error_mm / size,
+        line=found.residuals.line,
+        place=found.residuals.position_mm,
         gross=found.gross_errors or (),
         sigma=found.sigma_mm / size,
         unit=unit,

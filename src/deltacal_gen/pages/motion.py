@@ -9,13 +9,8 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 
-from deltacal_gen.files.robot import robot_of
-from deltacal_gen.machine.places import place_of
-from deltacal_gen.machine.values import Robot
-from deltacal_gen.motion.payload import ADVICE, PAYLOAD
 from deltacal_gen.pages import laws, report
 from deltacal_gen.pages.figures import AFTER, BEFORE, MUTED
-from deltacal_gen.physics.terms import load_effect
 from deltacal_gen.results.diagnosis import Verdict
 from deltacal_gen.results.motion import (
     LadderOf,
@@ -27,6 +22,7 @@ from deltacal_gen.results.motion import (
     by_joint,
 )
 from deltacal_gen.results.parts import Source
+from deltacal_gen.results.places import Places
 
 _VERDICTS = {
     Verdict.ADEQUATE: "nothing is missing",
@@ -132,7 +128,7 @@ def _diagnosed(found: MotionDiagnosis) -> dict[str, Any]:
         "verdict": _VERDICTS[found.verdict],
         "headline": f"Beside the rigid machine: {names}" if names else _VERDICTS[found.verdict].capitalize(),
         "lead": found.summary,
-        "steps": [_step(e, robot_of(found.robot)) for e in found.effects],
+        "steps": [_step(e, found.robot.places) for e in found.effects],
         "ladder": _ladder(found.ladder),
         "stops": "; ".join(dict.fromkeys(f"{ladder.stops}" for ladder in found.ladder)).capitalize() + ".",
         "parameters": [
@@ -161,14 +157,13 @@ def _law(found: MotionDiagnosis) -> dict[str, object] | None:
     each = enumerate(zip(law.heldout_rms_by_joint, law.unit_by_joint, strict=True), 1)
     left = ", ".join(f"{value:.4g} {unit} of joint {j}" for j, (value, unit) in each if value is not None)
     pictures = laws.drawn(law, lambda draw: report.picture(draw, LAW))
-    return laws.described(law, (), left, robot_of(found.robot)) | {"pictures": pictures}
+    return laws.described(law, (), left, found.robot.places) | {"pictures": pictures}
 
 
-def _step(effect: TorqueEffect, robot: Robot) -> str:
+def _step(effect: TorqueEffect, places: Places) -> str:
     """Return what to do about an effect."""
-    advice = ADVICE if effect.name == PAYLOAD else load_effect(effect.name).ADVICE
-    where = f", {place_of(robot, effect.limbs, 'joint')}" if effect.limbs else ""
-    return f"{effect.title.capitalize()}{where}: {advice}"
+    where = f", {places.name(effect.limbs, 'joint')}" if effect.limbs else ""
+    return f"{effect.title.capitalize()}{where}: {effect.advice or ''}"
 
 
 def _heldout(found: MotionResult | MotionDiagnosis) -> list[tuple[str, ...]]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -16,53 +15,50 @@ from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.limits import PATTERNS, limits_of
 from deltacal_gen.pages import figures
 from deltacal_gen.pages.figures import mpl
-from deltacal_gen.planning.matrix import Plan
+from deltacal_gen.results.plan import Plan
 from deltacal_gen.results.trajectories import MotionPlan
 from deltacal_gen.states import TIME
 from deltacal_gen.units import joint_factors, joint_names
 
 
-def figure(plans: Plan | Sequence[Plan], path: str | Path) -> None:
+def conditions(plans: Sequence[Plan]) -> figures.Sheet:
     """Draw condition numbers against n with the chosen n marked, as in Figs 6 and 7 of the paper.
-
-    Parameters
-    ----------
-    path : path
-        The ending says the format: ``.svg``, ``.png``, ``.pdf``.
 
     Raises
     ------
     UsageError
         No condition number is finite.
-    InputError
-        The file cannot be written.
     """
-    drawn = [p for p in ([plans] if isinstance(plans, Plan) else plans) if math.isfinite(p.steps[-1].condition)]
+    drawn = [p for p in plans if p.condition and p.condition[-1] is not None]
     if not drawn:
         raise UsageError("there is nothing to draw: no set of poses has the full rank.")
+    canvas, axes = figures.sheet(1, 1, (6.4, 3.8))
+    for p, colour in zip(drawn, mpl.colormaps["viridis"](np.linspace(0.1, 0.7, len(drawn))), strict=True):
+        found = {n: k for n, k in zip(p.n, p.condition, strict=True) if k is not None}
+        points = f"{len(p.tools_mm)} reference point{'s' if len(p.tools_mm) > 1 else ''}"
+        label = f"{p.model}, {points}, {p.scaling} scaling, {p.norm} norm"
+        axes.plot(*zip(*found.items(), strict=True), "o-", markersize=3, linewidth=1.2, color=colour, label=label)
+        if p.chosen in found:
+            at = (p.chosen, found[p.chosen])
+            axes.plot(*at, "o", markersize=9, markerfacecolor="none", markeredgecolor=colour)
+            axes.annotate(f"n = {p.chosen}", at, (0, 9), textcoords="offset points", ha="center", color=colour)
+    shown = [k for p in drawn for k in p.condition if k is not None]
+    if max(shown) > 5 * min(shown):
+        axes.set_yscale("log")
+    axes.locator_params(axis="x", integer=True)
+    axes.margins(y=0.2)
+    axes.grid(alpha=0.25, linewidth=0.6)
+    axes.set_xlabel("poses per layer n [1]")
+    axes.set_ylabel("condition number κ [1]")
+    canvas.legend(loc="outside upper left", frameon=False)
+    return canvas
+
+
+def write(plans: Sequence[Plan], path: str | Path) -> None:
+    """Write the picture of plans; the ending says the format: ``.svg``, ``.png``, ``.pdf``."""
     style: Any = figures.STYLE
     with mpl.rc_context(style):
-        canvas, axes = figures.sheet(1, 1, (6.4, 3.8))
-        for p, colour in zip(drawn, mpl.colormaps["viridis"](np.linspace(0.1, 0.7, len(drawn))), strict=True):
-            steps = [step for step in p.steps if math.isfinite(step.condition)]
-            n, condition = [step.n for step in steps], [step.condition for step in steps]
-            points = f"{len(p.tools)} reference point{'s' if len(p.tools) > 1 else ''}"
-            label = f"{p.model}, {points}, {p.scaling} scaling, {p.norm} norm"
-            axes.plot(n, condition, "o-", markersize=3, linewidth=1.2, color=colour, label=label)
-            for step in (step for step in steps if step.n == p.chosen):
-                at = (step.n, step.condition)
-                axes.plot(*at, "o", markersize=9, markerfacecolor="none", markeredgecolor=colour)
-                axes.annotate(f"n = {step.n}", at, (0, 9), textcoords="offset points", ha="center", color=colour)
-        shown = [step.condition for p in drawn for step in p.steps if math.isfinite(step.condition)]
-        if max(shown) > 5 * min(shown):
-            axes.set_yscale("log")
-        axes.locator_params(axis="x", integer=True)
-        axes.margins(y=0.2)
-        axes.grid(alpha=0.25, linewidth=0.6)
-        axes.set_xlabel("poses per layer n [1]")
-        axes.set_ylabel("condition number κ [1]")
-        canvas.legend(loc="outside upper left", frameon=False)
-        _saved(canvas, path)
+        _saved(conditions(plans), path)
 
 
 def trajectory(robot: Robot, plan: MotionPlan, columns: Columns, path: str | Path) -> None:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from deltacal_gen.errors import UsageError
-from deltacal_gen.pages import figures, validation
+from deltacal_gen.pages import figures, plans, validation
 from deltacal_gen.pages.figures import AFTER, MUTED, STYLE, Sheet, mpl
 from deltacal_gen.results.base import Answer
 from deltacal_gen.results.batch import Batch
@@ -34,25 +34,6 @@ def plot(found: Answer) -> Sheet:
         raise UsageError(f"there is no picture of a {type(found).__name__}; there is one of {known}.")
     with mpl.rc_context(STYLE):
         figure: Sheet = drawer(found)
-    return figure
-
-
-def _plan(found: Plan) -> Sheet:
-    """Draw the condition number set by set; the chosen one is marked."""
-    shown = [(n, k) for n, k in zip(found.n, found.condition, strict=True) if k is not None]
-    if not shown:
-        raise UsageError("there is nothing to draw: no set of poses has the full rank.")
-    figure, axes = figures.sheet(1, 1, (6.4, 3.8))
-    axes.plot(*zip(*shown, strict=True), "o-", ms=3, color=AFTER)
-    for n, k in shown:
-        if n == found.chosen:
-            axes.plot(n, k, "o", ms=9, color=AFTER)
-            axes.annotate(f"n = {n}", (n, k), (0, 9), textcoords="offset points", ha="center")
-    axes.locator_params(axis="x", integer=True)
-    axes.margins(y=0.2)
-    axes.set_xlabel("n")
-    axes.set_ylabel("condition number")
-    axes.set_title(found.headline)
     return figure
 
 
@@ -120,7 +101,7 @@ def _batch(found: Batch) -> Sheet:
 _DRAWERS: Mapping[type[Answer], Callable[[Any], Sheet]] = {
     Result: figures.calibration,
     Diagnosis: figures.diagnosis,
-    Plan: _plan,
+    Plan: lambda found: plans.conditions([found]),
     Validation: _validation,
     Comparison: _comparison,
     Study: _study,

@@ -15,16 +15,11 @@ from importlib import resources
 from typing import Any
 
 import jinja2
-import numpy as np
 
-from deltacal_gen.files.robot import robot_of
-from deltacal_gen.machine.registry import mechanism_of
-from deltacal_gen.machine.values import Robot
 from deltacal_gen.pages import figures, laws
 from deltacal_gen.pages.figures import AFTER, BEFORE, INK, MUTED, RAISED, STYLE, mpl
-from deltacal_gen.pages.left import Left, in_order, places, spread
-from deltacal_gen.physics.law import ADVICE as LAW_ADVICE
-from deltacal_gen.physics.terms import load_effect, of_the_instrument
+from deltacal_gen.pages.left import Left, in_order, left_of, spread
+from deltacal_gen.pages.left import places as places_of_readings
 from deltacal_gen.results.base import shown_in
 from deltacal_gen.results.batch import Batch, alike, in_table, worst
 from deltacal_gen.results.diagnosis import (
@@ -40,7 +35,6 @@ from deltacal_gen.results.document import decimals, rounded
 from deltacal_gen.results.parts import Source
 from deltacal_gen.results.places import Places
 from deltacal_gen.results.result import Result, Status
-from deltacal_gen.use import firmware
 
 COLOURS = {INK: "var(--ink)", MUTED: "var(--muted)", BEFORE: "var(--before)", AFTER: "var(--after)"}
 MOST_DRAWN = 60  # recordings of a batch, each with its line; of more, their distribution
@@ -82,10 +76,12 @@ _NOISE = {
 
 def diagnosis(found: Diagnosis) -> str:
     """Return the page of a DIAGNOSIS.json."""
-    machine, robot = found.robot.robot.name, robot_of(found.robot)
+    machine, places = found.robot.robot.name, found.robot.places
     channel = figures.main_channel(found)
     left = "with what was found" if found.effects or found.laws else "what geometry leaves"
-    before = {"map": "geometry alone", "channel": figures.seen(found).title} if found.effects or found.laws else {}
+    before = {}
+    if found.effects or found.laws:
+        before = {"map": "geometry alone", "channel": figures.before_title(found, channel)}
     calm = found.verdict is Verdict.ADEQUATE
     positions = found.residuals.before_mm.shape[1] == 3
     return _rendered(
@@ -111,21 +107,21 @@ def diagnosis(found: Diagnosis) -> str:
         if positions
         else [],
         law=_law(found),
-        part=found.robot.places.part,
+        part=places.part,
         effects=_effects(found),
-        parameters=[_parameter(e, p, found.robot.places) for e in found.effects for p in e.parameters],
+        parameters=[_parameter(e, p, places) for e in found.effects for p in e.parameters],
         orders=[
-            (found.robot.places.number(s.limb), str(s.order), measured(s.amplitude_deg, s.std_deg), "deg")
+            (places.number(s.limb), str(s.order), measured(s.amplitude_deg, s.std_deg), "deg")
             for e in found.effects
             for s in e.standing_out or ()
         ],
-        hints=_hints(found, robot),
+        hints=_hints(found, places),
         rejected=[(spaced(r.name), f"{r.gain_chi2:.0f}", r.why) for r in found.rejected],
         next=[_question(n) for n in found.next_measurements],
         not_tested=[(spaced(t.name), t.missing) for t in found.not_tested],
         gross=", ".join(map(str, found.gross_errors)),
         readings=len(found.residuals.line),
-        geometry=len(mechanism_of(robot).model(found.baseline.model)),
+        geometry=found.baseline.parameters,
     )
 
 
@@ -170,17 +166,15 @@ def _cell(value: Any) -> str:
 
 def _parameter_rows(found: Result, *, pinned: bool) -> list[tuple[str, str, str, str, str]]:
     """Return name, meaning, value, unit and status of the free parameters that something pins, or of the others."""
-    meanings = {p.name: p.meaning for p in mechanism_of(robot_of(found.robot)).parameters}
-    beside = "of the instrument"
     return [
-        (p.name, meanings.get(p.name, beside), measured(p.value, p.std), "" if p.unit == "1" else p.unit, p.status)
+        (p.name, p.meaning or "of the instrument", measured(p.value, p.std), "" if p.unit == "1" else p.unit, p.status)
         for p in found.parameters
         if p.status is not Status.FIXED and (p.status is not Status.NOT_PINNED) == pinned
     ]
 
 
-def calibration(found: Result, left: Left | None = None) -> str:
-    """Return the page of a RESULT.json, with what is left of every reading where the fit is still known."""
+def calibration(found: Result) -> str:
+    """Return the page of a RESULT.json."""
     machine, held, (unit, size) = found.robot.robot.name, found.heldout_rms_mm, shown_in(found)
     before, after = found.before_rms_mm / size, (found.train_rms_mm if held is None else held) / size
     seen = "on readings that took no part in the fit" if held is not None else "on the readings of the fit"
@@ -193,13 +187,13 @@ def calibration(found: Result, left: Left | None = None) -> str:
         title=f"{machine}: calibration",
         machine=machine,
         found=found,
-        prints=found.model.split("/")[0] == firmware.MODEL.split("/")[0],
+        prints=found.robot.places.part == "tower",
         headline=f"{machine}: {before:.3f} {unit} before, {decimals(after)} {unit} after",
         lead=f"As the robot file has it, the machine is off by {before:.3f} {unit} rms; calibrated as "
         f"{found.model}, by {decimals(after)} {unit} {seen}. The noise is {decimals(found.sigma_mm / size)} {unit}, "
         f"{_NOISE[found.sigma_source]}.",
         pictures=[{"title": "", "svg": _svg(partial(draw, result=found), size)} for draw, size in panels],
-        left=[{"title": "", "svg": _svg(draw, size)} for draw, size in _left_panels(left)],
+        left=[{"title": "", "svg": _svg(draw, size)} for draw, size in _left_panels(left_of(found))],
         parameters=_parameter_rows(found, pinned=True),
         unpinned=_parameter_rows(found, pinned=False),
         unseen=[(c.meaning or "", c.text) for c in found.unidentifiable],
@@ -212,7 +206,7 @@ def _left_panels(left: Left | None) -> Sequence[tuple[Callable[[Any], None], tup
     if left is None:
         return []
     drawn = [(partial(in_order, left=left), (4.6, 2.6)), (partial(spread, left=left), (4.6, 2.6))]
-    return drawn + [(partial(places, left=left, view=view), (4.6, 3.4)) for view in left.views]
+    return drawn + [(partial(places_of_readings, left=left, view=view), (4.6, 3.4)) for view in left.views]
 
 
 def page(title: str, parts: Sequence[str]) -> str:
@@ -299,16 +293,16 @@ def sentence(text: str) -> str:
 
 
 def _headline(found: Diagnosis) -> str:
-    effects, robot = found.findings, robot_of(found.robot)
+    effects, places = found.findings, found.robot.places
     if found.verdict is Verdict.ADEQUATE:
         return "The calibrated geometry explains these readings"
     if found.verdict is Verdict.UNEXPLAINED:
         if found.turned:
             return "The direction of approach may count the other way"
-        beside = f" beside {' and '.join(figures.named(e, robot) for e in effects)}" if effects else ""
+        beside = f" beside {' and '.join(figures.named(e, places) for e in effects)}" if effects else ""
         return f"Something{beside} that no known effect explains"
-    told = [laws.headline(law, robot) for law in found.laws[:1]]
-    return sentence(" and ".join([*told, *(figures.named(e, robot) for e in effects)]))
+    told = [laws.headline(law, places) for law in found.laws[:1]]
+    return sentence(" and ".join([*told, *(figures.named(e, places) for e in effects)]))
 
 
 def _lead(found: Diagnosis) -> str:
@@ -324,8 +318,8 @@ def _lead(found: Diagnosis) -> str:
             f"Geometry alone leaves {before} on held-out readings, {after} are left in the end, and the "
             f"noise is {sigma}. {sentence(found.location.text)}."
         )
-    robot = robot_of(found.robot)
-    told = [f"{t.target} moves by {t.expression}{laws.where(t, robot)}" for law in found.laws[:1] for t in law.terms]
+    places = found.robot.places
+    told = [f"{t.target} moves by {t.expression}{laws.where(t, places)}" for law in found.laws[:1] for t in law.terms]
     parts = "; ".join([*told, *(_in_numbers(e) + _beside(found.harmonics(e)) for e in found.findings)])
     return (
         f"{sentence(parts)}. With it the error on held-out readings falls from {before} to {after}; "
@@ -340,9 +334,7 @@ def _law(found: Diagnosis) -> dict[str, object] | None:
     best, *others = found.laws
     pictures = laws.drawn(best, lambda draw: _svg(draw, (6.4, 3.0)))
     left = f"{decimals(best.heldout_rms_mm)} mm"
-    return laws.described(best, tuple(others), left, robot_of(found.robot), best.remainder_rms_mm) | {
-        "pictures": pictures
-    }
+    return laws.described(best, tuple(others), left, found.robot.places, best.remainder_rms_mm) | {"pictures": pictures}
 
 
 def _heldout(fit: Baseline | Final) -> float:
@@ -378,13 +370,12 @@ def _steps(found: Diagnosis) -> list[dict[str, str]]:
     if found.turned:
         steps.append({"text": f"Compare the signs of the approach columns: it may be {found.turned}.", "command": ""})
     for effect in found.findings:
-        advice = load_effect(effect.name).ADVICE
-        steps.append({"text": f"{sentence(figures.named(effect, robot_of(found.robot)))}: {advice}", "command": ""})
+        text = f"{sentence(figures.named(effect, found.robot.places))}: {effect.advice or ''}"
+        steps.append({"text": text, "command": ""})
     if found.laws:
-        text = f"{LAW_ADVICE} To know it by a name from now on, write it as an effect and fill in what it is:"
+        text = f"{laws.ADVICE} To know it by a name from now on, write it as an effect and fill in what it is:"
         again = "deltacal diagnose ROBOT.toml RECORDING.csv --write-effect NAME.py"
         steps.append({"text": text, "command": again})
-    on_machine = [e for e in found.effects if not of_the_instrument(e.name)]
     if found.verdict is Verdict.UNEXPLAINED:
         steps.append(
             {"text": "Do not extrapolate: the corrected commands hold only as far as the maps below.", "command": ""}
@@ -392,10 +383,9 @@ def _steps(found: Diagnosis) -> list[dict[str, str]]:
     for question in found.next_measurements[:2]:
         steps.append({"text": f"{question.text} This {question.why}.", "command": ""})
     if found.robot.joint is None:  # an open chain is not commanded by the position alone
-        what = "with these effects" if on_machine else "of the calibrated geometry"
         steps.append(
             {
-                "text": f"Corrected commands {what}:",
+                "text": "Corrected joint commands:",
                 "command": "deltacal compensate DIAGNOSIS.json targets.csv -o joints.csv",
             }
         )
@@ -413,7 +403,7 @@ def _parameter(effect: Effect, p: EffectParameter, places: Places) -> tuple[str,
     )
 
 
-def _hints(found: Diagnosis, robot: Robot) -> list[tuple[str, ...]]:
+def _hints(found: Diagnosis, places: Places) -> list[tuple[str, ...]]:
     """Return what may be there: what speaks for it, what is alike, what is wanting, and what decides."""
     rows: list[tuple[str, ...]] = []
     for k, hint in enumerate(found.hints):
@@ -426,7 +416,7 @@ def _hints(found: Diagnosis, robot: Robot) -> list[tuple[str, ...]]:
                 text += f": {n.expected_chi2:.0f} of chi² are expected" if n.expected_chi2 else ""
         rows.append(
             (
-                figures.named(hint, robot),
+                figures.named(hint, places),
                 f"{hint.gain_chi2:.0f}",
                 power(hint.p_value),
                 ", ".join(map(spaced, hint.indistinguishable_from)),
@@ -449,22 +439,15 @@ def _question(n: NextMeasurement) -> dict[str, object]:
 
 
 def _effects(found: Diagnosis) -> list[dict[str, str]]:
-    moves = _moves(found)
     return [
         {
             "name": spaced(e.name),
             "title": e.title,
-            "moves": f"{size:.2f}" if size else "",
+            "moves": f"{e.moves_mm:.2f}" if e.moves_mm else "",
             "alike": ", ".join(map(spaced, e.indistinguishable_from)),
         }
-        for e, size in zip(found.effects, moves, strict=True)
+        for e in found.effects
     ]
-
-
-def _moves(found: Diagnosis) -> list[float]:
-    """Return by how much each effect moves what is read at most [mm]; 0 where that is not known."""
-    parts = [figures.contribution(found, i) for i in range(len(found.effects))]
-    return [0.0 if p is None else float(np.nanmax(np.linalg.norm(p, axis=1))) for p in parts]
 
 
 # ------------------------------------------------------------------------------------------------------- pictures

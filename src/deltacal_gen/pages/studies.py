@@ -5,7 +5,6 @@ from __future__ import annotations
 from functools import partial
 from typing import Any
 
-from deltacal_gen.files.robot import robot_of
 from deltacal_gen.pages import figures, report
 from deltacal_gen.results.base import shown_in
 from deltacal_gen.results.study import Advice, Study, Suspect
@@ -111,8 +110,7 @@ def tried(found: Study) -> list[tuple[str, Suspect]]:
 
 
 def _concealed(suspect: Suspect, found: Study) -> str:
-    robot = robot_of(found.robot)
-    return " and ".join(figures.named(e, robot) for e in suspect.effects) or "nothing"
+    return " and ".join(figures.named(e, found.robot.places) for e in suspect.effects) or "nothing"
 
 
 def _suspect(s: Suspect, found: Study, length: float) -> tuple[str, ...]:

@@ -208,7 +208,7 @@ class _ArrayOf:
         cells = checked(found)
         if self.depth == 2 and len({len(row) for row in cells}) > 1:
             raise ValueError("the rows are not equally long")
-        return np.array([np.nan if v is None else v for v in cells] if self.blanks else cells, dtype=self.dtype)
+        return np.array(cells, dtype=self.dtype)  # of None it makes nan
 
     def _written(self, array: np.ndarray) -> Any:
         blank = np.isnan(array) if array.dtype.kind == "f" else np.False_
@@ -228,4 +228,5 @@ Numbers = Annotated[np.ndarray, _ArrayOf(float, 1)]
 Rows = Annotated[np.ndarray, _ArrayOf(float, 2)]
 Counts = Annotated[np.ndarray, _ArrayOf(int, 1)]
 Column = Annotated[np.ndarray, _ArrayOf(float, 1, blanks=True)]
+BlankRows = Annotated[np.ndarray, _ArrayOf(float, 2, blanks=True)]
 Vector = tuple[float, float, float]

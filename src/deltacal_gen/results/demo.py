@@ -55,8 +55,8 @@ class Demo(Answer):
             f"{number(result.heldout_rms_mm)} mm; the measurement noise is {result.sigma_mm:.4f} mm (1 sigma).",
             "1. Geometry alone",
         )
-        yield Text(":", "2. Diagnosis")
-        yield from self.diagnosis.document()
+        yield Text(f": {self.diagnosis.headline}", "2. Diagnosis")
+        yield from list(self.diagnosis.document())[1:]
         told = "; ".join(
             f"{t.name}{places.at([p.limb] if p.limb else ())}, {p.name} {p.value:g} {p.unit}"
             for t in self.truth

@@ -58,6 +58,8 @@ class Baseline(Value):
     """What geometry alone leaves."""
 
     model: str
+    parameters: int | None = None
+    """How many source errors are free in it."""
     train_rms_mm: float
     heldout_rms_mm: float | None
     chi2_per_dof: float
@@ -153,6 +155,10 @@ class Effect(Value):
     """Limbs in whose place these others explain as much; of such limbs the one that gives least is named."""
     read_deg: dict[str, tuple[float, float]] | None = None
     """Of a wave that was not seen to repeat: between which turns each of its joints was read. Beyond, it is unknown."""
+    moves_mm: float | None = None
+    """By how much it moves a reading at most; absent where readings are no positions in one frame."""
+    advice: str | None = None
+    """What to do about it."""
 
     @property
     def periods(self) -> tuple[float, ...]:
@@ -337,6 +343,23 @@ class SmoothCorrection(Value):
     """Geometry, effects and instrument as they are beside it."""
 
 
+class PartialResiduals(Value):
+    """Residuals as one number per reading, where the cause is seen best: at the joint, or where most is left."""
+
+    of: str
+    """What they are, in words."""
+    unit: str
+    without: str | None
+    """The effect that is switched off in `before`; null where that is what geometry alone leaves."""
+    before: Column
+    after: Column
+
+    @property
+    def title(self) -> str:
+        """What `before` is, in words."""
+        return f"without {self.without.replace('_', ' ')}" if self.without else "geometry alone"
+
+
 class Residuals(Value):
     """What every reading is off, before and after, where it was read and what the channels said there."""
 
@@ -346,6 +369,8 @@ class Residuals(Value):
     after_mm: Rows
     channels: dict[str, Column]
     """By the names of the recording's columns; null: not recorded."""
+    partial: PartialResiduals | None = None
+    """Null in answers written before it was given."""
 
 
 class SeenJoint(Value):

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from enum import StrEnum
 from typing import Literal
 
-from deltacal_gen.results.base import Answer, Numbers, Value, shown_in
+from deltacal_gen.results.base import Answer, BlankRows, Counts, Numbers, Value, shown_in
 from deltacal_gen.results.document import Document, Table, Text, decimals, number, rounded
 from deltacal_gen.results.parts import (
     Continued,
@@ -51,6 +51,8 @@ class Parameter(Value):
     """Of an unknown of the instrument: what these readings do not tell it from, in words and by name."""
     run: str | None = None
     """Of a clock's offset: the run that it is of; absent where it is of all."""
+    meaning: str | None = None
+    """What it is of the machine, in words."""
 
 
 class OpenCombination(Value):
@@ -161,6 +163,15 @@ class UncertaintyMap(Value):
     unreachable: int
 
 
+class FitResiduals(Value):
+    """What the calibrated machine leaves of every reading, and where its tool was, in {O}."""
+
+    line: Counts
+    position_mm: BlankRows
+    error_mm: BlankRows
+    """Measured minus calibrated, component by component; null where nothing was read."""
+
+
 class Firmware(Value):
     """What the parameters that a printer's firmware has would leave."""
 
@@ -231,6 +242,8 @@ class Result(Answer, Undiagnosed):
     """Why the readings may be of another machine than the robot file's."""
     begun_s: float = 0.0
     """From when effects count the time [s]: 0, or the first reading where stamps count from long before it."""
+    residuals: FitResiduals | None = None
+    """Null in answers written before they were kept."""
     made: Made | None = None
 
     @property

@@ -23,7 +23,6 @@ from deltacal_gen.app.commands.common import (
 if TYPE_CHECKING:
     from deltacal_gen.app.commands.common import AnyRecording, AnyRobot
     from deltacal_gen.estimation.solvers import Solver
-    from deltacal_gen.identification.answer import Identification
     from deltacal_gen.machine.values import Robot
     from deltacal_gen.motion.kinds import Torque
     from deltacal_gen.results.diagnosis import Diagnosis
@@ -140,17 +139,16 @@ def identify(
     if output is not None:
         write_json(found, output)
     if report is not None:
-        _write_page(found, fitted, report)
+        _write_page(found, report)
     return found
 
 
-def _write_page(found: Result, fitted: Identification, report: Source) -> None:
-    """Write the page of a result."""
+def _write_page(found: Result | Diagnosis, path: Source) -> None:
     from deltacal_gen.files.writing import write_files
-    from deltacal_gen.pages import report as page
-    from deltacal_gen.pages.left import left_by
+    from deltacal_gen.pages import report
 
-    write_files({Path(report): page.calibration(found, left_by(fitted.fit, found))})
+    page = report.calibration(found) if isinstance(found, Result) else report.diagnosis(found)
+    write_files({Path(path): page})
 
 
 def _as_firmware(found: Result) -> Firmware:
@@ -255,10 +253,8 @@ def diagnose(
     if output is not None:
         write_json(found, output)
     if report is not None:
-        from deltacal_gen.pages import report as page
-
         progress("report")
-        write_files({Path(report): page.diagnosis(found)})
+        _write_page(found, report)
     if write_effect is not None and found.laws:
         write_files({Path(write_effect): effect_file(found.laws[0], Path(write_effect))})
     return found

@@ -118,11 +118,12 @@ def plan(
         found = plan_optimal_poses(machine, name, optimal, **how)
     if output is not None:
         planning.write_targets(found, output)
+    answer = found.answer()
     if picture is not None:
         from deltacal_gen.pages import plans
 
-        plans.figure(found, picture)
-    return found.answer()
+        plans.write([answer], picture)
+    return answer
 
 
 def _with_model(robot: Robot, model: str | int | None) -> tuple[Robot, str]:
