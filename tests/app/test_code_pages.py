@@ -32,6 +32,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize(
     "code_page",
     [pytest.param("cp1252", marks=pytest.mark.thorough), pytest.param("cp437", marks=pytest.mark.thorough), "ascii"],

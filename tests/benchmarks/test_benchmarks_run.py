@@ -33,6 +33,7 @@ ALIKE = [name for name in QUICK if re.match("(forward|sensitivity)_(?!diamond|se
 ALIKE += ["W1exact", "W4linear", "W7_warm", "W7cli_warm"]  # works that others do too, on other readings or started anew
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize(
     "name", [pytest.param(name, marks=pytest.mark.thorough if name in ALIKE else ()) for name in QUICK]
 )

@@ -48,6 +48,7 @@ def with_noise(search: Search, noise: np.ndarray) -> Any:
     return types.SimpleNamespace(beside=beside, **same)
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize("shape", [pytest.param("normal", marks=pytest.mark.thorough), "heavy tails"])
 def test_it_is_uniform_where_there_is_nothing_but_noise_of_whatever_shape(search: Search, shape: str) -> None:
     found = []

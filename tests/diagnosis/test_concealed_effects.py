@@ -74,6 +74,7 @@ CASES = (
 FIRST = {c.effect: c for c in reversed(CASES)}  # where an effect is looked for first; elsewhere it takes minutes more
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize(
     "case",
     [

@@ -61,6 +61,7 @@ def compliant() -> dict[str, Any]:
 # ------------------------------------------------------------------------------------- joint or arm, steel or tracker
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize(
     ("truth", "other"),
     [

@@ -244,6 +244,7 @@ def test_distances_that_begin_elsewhere_arrive_from_the_drawing() -> None:
     assert not missed(line), line
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize(
     ("seed", "number"),
     [

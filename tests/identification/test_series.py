@@ -145,6 +145,7 @@ def test_what_each_row_has_of_its_own_is_told_apart() -> None:
     assert found.own == pytest.approx(0.2, abs=0.08)
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize("k", [0, 1, pytest.param(2, marks=pytest.mark.thorough)])
 def test_a_machine_that_does_not_repeat_lacks_nothing(k: int) -> None:
     """Three points are read where it stands, each time somewhat elsewhere: all three are off alike."""
@@ -161,6 +162,7 @@ def test_a_machine_that_does_not_repeat_lacks_nothing(k: int) -> None:
     assert "of the noise's variance in common" in found.noise.model.text
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize("k", [0, pytest.param(3, marks=pytest.mark.thorough)])
 def test_an_instrument_that_wanders_does_not_drift(k: int) -> None:
     """Rows weighed alone predict better here: that machine is given, and what is told held out is of that one."""

@@ -182,6 +182,7 @@ def test_a_pose_out_of_reach_has_no_torque() -> None:
     assert np.isfinite(np.delete(slopes, 2, axis=0)).all()
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize(
     "name", [pytest.param(name, marks=() if name in QUICK else pytest.mark.thorough) for name in NAMES]
 )

@@ -88,6 +88,7 @@ def computed(name: str) -> dict[str, Any]:
     return found
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize(
     "name",
     [pytest.param(name, marks=() if name == QUICK else pytest.mark.thorough) for name in mechanism_names()],

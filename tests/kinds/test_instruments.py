@@ -69,6 +69,7 @@ def test_the_plane_of_a_delta_and_that_of_the_print_it_touches_are_one(tmp_path:
 # ------------------------------------------------------------------------------------------------------------- images
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize(
     ("said", "lens"),
     [

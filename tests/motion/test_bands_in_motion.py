@@ -65,6 +65,7 @@ SETTINGS: dict[str, tuple[Friction, Callable[..., Any], dict[str, Any]]] = {
 ALIKE = ("a size within an effect", "readings that come late")  # found like any; both take ten seconds
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize(
     "setting", [pytest.param(name, marks=pytest.mark.thorough if name in ALIKE else ()) for name in SETTINGS]
 )

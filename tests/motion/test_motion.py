@@ -134,6 +134,7 @@ LAWS: dict[str, tuple[Friction, dict[str, float]]] = {
 ALIKE = ("quadratic_friction", "rotor_inertia")  # searched as the others are
 
 
+@pytest.mark.walk
 @pytest.mark.parametrize(
     "name", [pytest.param(name, marks=pytest.mark.thorough if name in ALIKE else ()) for name in LAWS]
 )

@@ -66,6 +66,7 @@ def test_its_file_and_its_recording_count_each_joint_in_its_own_unit(cell: Path)
         read_recording(cell / "wrong.csv", mechanism_of(again))
 
 
+@pytest.mark.walk
 def test_play_is_found_in_degrees_where_it_turns_and_in_mm_where_it_slides(cell: Path) -> None:
     found = dc.diagnose(
         cell / "robot.toml", cell / "read.csv", output=cell / "diagnosis.json", report=cell / "page.html"

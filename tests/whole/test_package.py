@@ -61,6 +61,7 @@ def test_the_wheel_holds_all_that_is_read_at_run_time(wheel: Path) -> None:
     assert {f"deltacal_gen/manual/{p.name}" for p in manual.folder().glob("*.[mp][dy]")} <= held
 
 
+@pytest.mark.walk
 def test_a_type_checker_sees_the_types_of_an_installed_wheel(wheel: Path, tmp_path: Path) -> None:
     pytest.importorskip("mypy")
     place = tmp_path / "installed"
