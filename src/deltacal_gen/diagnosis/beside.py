@@ -45,10 +45,9 @@ class Beside:
         unknown = problem.term_columns(held, at.errors, at.instrument, self.machine) * size
         base = self.rows(np.concatenate([state.J_p * problem.scale, state.J_m, unknown], axis=2))
         # the priors' rows: geometry moves as far as drawings leave it open, not to the ends of a flat direction
-        departure = (at.errors[problem.columns] - problem.reference[problem.columns]) / problem.scale
         values = np.concatenate([[], *(t.values.ravel() for t in held)]) / size
-        self._departure = np.concatenate([departure, np.zeros(state.J_m.shape[2]), values])
-        own = len(departure) + np.arange(state.J_m.shape[2])
+        self._departure = np.concatenate([at.departure, np.zeros(state.J_m.shape[2]), values])
+        own = len(problem.scale) + np.arange(state.J_m.shape[2])
         seen = own[base[:, own].any(axis=0)]  # a turn that nothing reads stays as it is
         pulls = np.delete(np.arange(base.shape[1]), seen)
         # the residual carries the influence of a reading, columns none of it: a gross error can earn but little

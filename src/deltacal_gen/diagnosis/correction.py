@@ -404,7 +404,7 @@ class _Option:
         return np.hstack([part.whitened for part in self.parts])
 
     def smooth(self, c: Array) -> tuple[Smooth, ...]:
-        """Return the functions with coefficients in units of their size."""
+        """Return the functions with coefficients of unit columns."""
         return (*(part.smooth(own) for part, own in self._parted(c)), *self.there)
 
     def moved(self, c: Array) -> list[Array]:
@@ -413,7 +413,7 @@ class _Option:
 
     def _parted(self, c: Array) -> list[tuple[_Part, Array]]:
         ends = np.cumsum([part.whitened.shape[1] for part in self.parts])[:-1]
-        return list(zip(self.parts, np.split(c * self.size, ends), strict=True))
+        return list(zip(self.parts, np.split(c, ends), strict=True))
 
 
 class _Linear:
@@ -430,9 +430,8 @@ class _Linear:
         self._raw = np.concatenate([state.J_p * problem.scale, state.J_m], axis=2)
         self._base = self._rows(self._raw)
         self._target = self._rows(state.residual[..., None])[:, 0]
-        departure = (at.errors[problem.columns] - problem.reference[problem.columns]) / problem.scale
-        self._prior = np.concatenate([departure, np.zeros(self._base.shape[1] - len(departure))])
-        self._held = (np.arange(self._base.shape[1]) < len(departure)).astype(float)
+        self._prior = np.concatenate([at.departure, np.zeros(state.J_m.shape[2])])
+        self._held = np.repeat([1.0, 0.0], state.J_p.shape[2:] + state.J_m.shape[2:])
         self._tests = [test[self._beside.owner] for _, test in parts]
         self._grams: dict[object, list[tuple[Array, Array]]] = {}
 
@@ -489,11 +488,9 @@ class _Linear:
         """Return the step that fits all parts but some: geometry and effects in their scales, instrument, function."""
         G, g = self._normal(option, without)
         n = len(self._held)
-        prior = np.concatenate([self._held, np.ones(len(g) - n)])
-        size = np.concatenate([np.ones(n), np.full(len(g) - n, option.size if option else 1.0)])
-        G, g = G * size * size[:, None], g * size
         g[:n] -= self._prior
-        G[np.diag_indices_from(G)] += prior + jitter(np.diag(G))
+        drawn = np.full(len(g) - n, option.size**-2 if option else 1.0)
+        G[np.diag_indices_from(G)] += np.append(self._held, drawn) + jitter(np.diag(G))
         u: Array = np.linalg.solve(G, g)
         return u
 
@@ -504,7 +501,6 @@ class _Linear:
             loss = 0.0
             for k in set(range(len(self._tests))) - without:
                 u = self.step(option, without | {k})
-                u[len(self._held) :] *= option.size if option else 1.0
                 G, g = self._gram(option)[k]
                 loss += float(u @ G @ u - 2 * u @ g)  # beyond what the readings themselves are
             losses.append(loss)
@@ -515,7 +511,7 @@ class _Linear:
         n = len(self._held)
         moved = self._raw[chosen] @ step[:n]
         if option is not None:
-            moved = moved + option.raw[chosen] @ (option.size * step[n:])
+            moved = moved + option.raw[chosen] @ step[n:]
         left: Array = self._residual[chosen] - moved
         return left
 

@@ -127,9 +127,8 @@ def _widened(final: Fit, left: _Left, known: Noise) -> tuple[Array, dict[str, fl
     direct = np.linalg.lstsq(A_m, left.columns, rcond=None)[0] if A_m.shape[1] else np.zeros((0, len(left.names)))
     by_left = np.vstack([moved * problem.scale[:, None], direct + follow @ moved])
 
-    departure = (final.errors[problem.columns] - problem.reference[problem.columns]) / problem.scale
     fixed = (_per_reading(final, known) / final.sigma[0]) ** 2 if known.source is not Source.RESIDUAL else None
-    size, part = _sizes(A_p, A_m, b, left, departure if solution.posterior else None, fixed)
+    size, part = _sizes(A_p, A_m, b, left, final.departure if solution.posterior else None, fixed)
 
     n, n_c, q = len(problem.names), len(problem.scale), len(left.names)
     prior = np.zeros_like(final.covariance)

@@ -143,8 +143,7 @@ class Orders:
         self._n, self._problem = self._raw.shape[2], problem
         self._scale = np.concatenate([problem.scale, np.ones(state.J_m.shape[2])])
         self._held = (np.arange(self._n) < len(problem.scale)).astype(float)
-        departure = (at.errors[problem.columns] - problem.reference[problem.columns]) / problem.scale
-        self._departure = np.concatenate([departure, np.zeros(self._n - len(departure))])
+        self._departure = np.append(at.departure, np.zeros(state.J_m.shape[2]))
         self._noise = 1.0  # of the whitened readings: against it priors weigh
         self._tests = [test for _, test in parts]
         self._quiet = at.weights > 0

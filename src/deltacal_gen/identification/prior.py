@@ -27,12 +27,11 @@ def learned(at: Fit, robot: Robot) -> Array:
     state = problem.linearise(at.errors, at.instrument, at.machine)
     found = system(state, at.sigma, at.weights, at.repeats, problem.scale)
     A_p, A_m, b = found.A_p, found.A_m, found.b
-    departure = (at.errors[problem.columns] - problem.reference[problem.columns]) / problem.scale
     fitted = basis(np.hstack([A_m, A_p[:, n:]]))
     left_open = unsaid(problem)
     free = np.array([name not in robot.tolerance and name not in left_open for name in problem.names])
     low, high = FACTORS
-    model = MixedModel.of(A_p[:, :n], b + A_p @ departure, fitted)
+    model = MixedModel.of(A_p[:, :n], b + A_p @ at.departure, fitted)
     size = fit_sizes(model, np.where(free, 0, -1), (low**2, high**2), noise=1.0).variances if free.any() else np.ones(1)
     out: Array = np.where(free, max(low, size[0] ** 0.5), 1.0) * problem.scale[:n]
     return out
