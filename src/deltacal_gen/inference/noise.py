@@ -17,7 +17,7 @@ import numpy as np
 from deltacal_gen.inference.projection import Array
 
 DEFINITE = 1e-12  # of a variance: keeps a factor real where rounding would not
-FLAT = 1e-5  # of the largest singular value: less is a direction in which nothing that is shared moves a row
+FLAT = 1e-10  # of the largest square: less is a direction in which nothing that is shared moves a row
 ALONE = 1e-6  # part of a row's variance that others leave of it, at least
 
 
@@ -67,8 +67,7 @@ class NoiseModel:
     @cached_property
     def log_det(self) -> float:
         """Logarithm of the determinant of the covariance."""
-        along = 2 * float(np.log(self._left).sum() + np.log(self._factor[0]).sum())
-        return along + float(np.log1p(self._span[1]).sum())
+        return 2 * float(np.log(self._left * self._factor[0]).sum()) + float(np.log1p(self._span[1]).sum())
 
     def restore(self, white: Array) -> Array:
         """Return rows (R, ...) as they were before they were freed, where none fades."""
@@ -115,7 +114,8 @@ class NoiseModel:
     @cached_property
     def _span(self) -> tuple[Array, Array]:
         """Left singular vectors (R, r) of what is shared, freed of the rest, and squares (r,) of singular values."""
-        Q, R = np.linalg.qr(self._in_order(self.shared))
-        U, s, _ = np.linalg.svd(R, full_matrices=False)
-        seen = s > FLAT * s.max(initial=0.0)
-        return Q @ U[:, seen], s[seen] ** 2
+        B, tall = self._in_order(self.shared), self.shared.shape[0] > self.shared.shape[1]
+        square, V = np.linalg.eigh(B.T @ B if tall else B @ B.T)
+        seen = square > FLAT * square.max(initial=0.0)
+        square, V = square[seen], V[:, seen]
+        return B @ V / np.sqrt(square) if tall else V, square
