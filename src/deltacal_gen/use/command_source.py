@@ -29,8 +29,8 @@ from deltacal_gen.machine.values import Robot
 from deltacal_gen.physics.terms import Term
 from deltacal_gen.states import CHANNELS, STATES, State
 from deltacal_gen.units import DEG, file_unit, to_internal
-from deltacal_gen.use.c_text import c_source, plain
 from deltacal_gen.use.compensation import Compensator, CompensatorKind, RoundTrip, largest, workspace_points
+from deltacal_gen.use.layout import laid_out, plain
 from deltacal_gen.use.spans import (
     LEFT_OUT,
     Column,
@@ -162,8 +162,8 @@ def command_source(compensator: Compensator, left: RoundTrip, live: LiveEffects 
     if compensator.kind is CompensatorKind.EXACT:
         constants = constants[:, : compensator._kernels.COMMAND_CONSTANTS]
     source, method = _SOURCE[compensator.kind]
-    return c_source(
-        "command",
+    return laid_out(
+        "command.c",
         name=plain(robot.name),
         mechanism=mechanism.name,
         kind=compensator.kind,

@@ -147,8 +147,7 @@ class Commands:
     def in_files(self) -> Array:
         """The joints (N, n_q) in the units of files [deg or mm]."""
         mechanism = self.compensator.mechanism
-        out: Array = self.joints / joint_factors(mechanism.joint_unit, mechanism.limbs)
-        return out
+        return np.asarray(self.joints / joint_factors(mechanism.joint_unit, mechanism.limbs))
 
     def table(self) -> Columns:
         """Return the columns of a file: it can be simulated, or measured, as it stands."""

@@ -427,8 +427,7 @@ class Compensator:
         if self.robot.joint_limits is None:
             return np.zeros(np.shape(joints), dtype=bool)
         lower, upper = self.robot.joint_limits.T
-        beyond: np.ndarray = (joints < lower) | (joints > upper)
-        return beyond
+        return np.asarray((joints < lower) | (joints > upper))
 
     def nominal_command(self, targets: Array, tool: Array | None = None) -> tuple[Array, np.ndarray]:
         """Return what the uncompensated controller commands, like `command`."""

@@ -26,9 +26,9 @@ from deltacal_gen.physics.terms import load_effect
 from deltacal_gen.results.motion import JointModel, MotionModel
 from deltacal_gen.states import SPEEDS, read_by
 from deltacal_gen.units import file_unit, joint_factors, joint_names
-from deltacal_gen.use.c_text import c_source, plain
 from deltacal_gen.use.command_source import command_source
 from deltacal_gen.use.compensation import Compensator
+from deltacal_gen.use.layout import laid_out, plain
 
 NO_LIMIT = 1e300  # of a torque, of a joint
 POSED = 6  # joints of a chain that stands in any pose
@@ -62,8 +62,8 @@ def servo_source(known: MotionModel) -> str:
         )
     kernels, written_out = importlib.resources.files("deltacal_kernels"), mechanism_of(robot).written_out
     terms = _terms(joints)
-    return c_source(
-        "feedforward",
+    return laid_out(
+        "feedforward.c",
         kind="limbs" if written_out else "chain",
         codes=CODES,
         read=", ".join(readouts_of_model(known)[0]),

@@ -166,8 +166,7 @@ def shift(compensator: Compensator, q: Array, at: Channels, known: Sequence[Term
     body = Body(robot, mechanism, q, np.zeros((len(q), 3)), at)
     names = sorted({s.name for t in known for s in t.states if not s.by})
     state = body.state(names, np.zeros((len(q), POSE)), q, mechanism.rows(robot))  # no load, so no pose
-    moved: Array = body.moved(known, state)["joint"]
-    return moved
+    return np.asarray(body.moved(known, state)["joint"])
 
 
 def stated(measured: float) -> float:

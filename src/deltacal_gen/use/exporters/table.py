@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import itertools
-import json
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -25,6 +24,7 @@ from deltacal_gen.results.result import Result
 from deltacal_gen.units import file_unit, to_internal
 from deltacal_gen.use.compensation import Compensator, CompensatorKind, RoundTrip, largest, workspace_points
 from deltacal_gen.use.exporters import Exporter
+from deltacal_gen.use.layout import laid_out
 from deltacal_gen.use.spans import (
     LEFT_OUT,
     Column,
@@ -106,10 +106,9 @@ class TableCompensator:
     columns: tuple[Column, ...] = ((),)
 
     @property
-    def nodes(self) -> tuple[int, int, int]:
+    def nodes(self) -> tuple[int, ...]:
         """Number of nodes along x, y, z."""
-        n_x, n_y, n_z = self.corrections.shape[:3]
-        return n_x, n_y, n_z
+        return self.corrections.shape[:3]
 
     @property
     def axes(self) -> list[Array]:
@@ -321,8 +320,7 @@ def _table_errors(table: TableCompensator, compensator: Compensator, over: Spans
 
 def _lattice(axes: Sequence[Array], some: np.ndarray | slice = slice(None)) -> Array:
     """Return the points (N, 3) of a grid, z running fastest; of `some` lines along z."""
-    points: Array = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1)[some].reshape(-1, 3)
-    return points
+    return np.asarray(np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1)[some].reshape(-1, 3))
 
 
 def _used(table: TableCompensator, radius: float) -> np.ndarray:
@@ -331,8 +329,7 @@ def _used(table: TableCompensator, radius: float) -> np.ndarray:
     near_x, near_y = (np.clip(0.0, nodes[:-1], nodes[1:]) for nodes in table.axes[:2])
     used = np.zeros((2 * table.nodes[0] - 1, 2 * table.nodes[1] - 1), dtype=bool)
     used[1::2, 1::2] = np.hypot(near_x[:, None], near_y) <= radius
-    met: np.ndarray = binary_dilation(used, np.ones((3, 3)))
-    return met
+    return np.asarray(binary_dilation(used, np.ones((3, 3))))
 
 
 def _table_header(columns: Sequence[Column], joints: int, unit: str) -> list[str]:
@@ -343,34 +340,13 @@ def _table_header(columns: Sequence[Column], joints: int, unit: str) -> list[str
 def _table_text(table: TableCompensator, compensator: Compensator, over: Spans) -> str:
     unit = file_unit(table.joint_unit)
     count = table.corrections.shape[4]
-    prose: tuple[str, ...] = (
-        "Corrections of joint commands: command = nominal inverse position of the target + dq,",
-        f"dq1..dq{count} in {unit} as the controller counts, by the position x, y, z in mm of the reference point in",
-        "the robot frame {O} (origin at the base centre, z up). Regular grid, z running fastest, then y, then x:",
-        "row (i * nodes_y + j) * nodes_z + k, counted from 0, belongs to the node origin + (i, j, k) * step.",
-        "Interpolation: trilinear between the 8 nodes of the cell. Blank: out of reach; no target may use such a cell.",
-        "worst_mm: worst position error left in the cells that the workspace meets, against the model's own exact",
-        "forward position, measured half way between all nodes and at random points. What the model does not know is",
-        "not in it. missed: checked points of the workspace without an answer.",
-    )
-    if compensator.mechanism.turning:
-        prose += ("The platform is level: a correction at one rotation is none for another.",)
-    if len(table.columns) > 1:
-        prose += (
-            "Columns dq1_..._by_CHANNELS are to be multiplied by those channels and added to dq1: payload in kg,",
-            f"warming = temp_C - 20, time = {_hours(compensator)} in h by the recording's clock,",
-            "approach1 = +1 or -1, the direction in which the joint last moved. Effects: "
-            + ", ".join(t.effect for t in compensator.effects)
-            + "; after every jump, and",
-            f"at rest. Recorded were: {over.in_channels(compensator.begun)}; worst_mm holds within these.",
-        )
-    if compensator.corrected:
-        prose += (f"{LEFT_OUT}: commands for targets in a file have it.",)
-    own = {name: np.array(getattr(table, name)).tolist() for name in _Header.model_fields if hasattr(table, name)}
+    named = (name for name in _Header.model_fields if name not in ("form", "columns"))
+    own = {name: np.array(getattr(table, name)).tolist() for name in named}
     header = _Header.model_validate(own | {"form": _SCHEMA, "columns": table.columns})
     facts = header.model_dump(mode="json", by_alias=True, exclude_defaults=True)
-    lines = [f"# {line}" for line in prose]
-    lines += [f"#: {key} = {_toml(value)}" for key, value in facts.items()]
+    ranges = over.in_channels(compensator.begun)
+    content = {"compensator": compensator, "joints": count, "unit": unit, "ranges": ranges, "left_out": LEFT_OUT}
+    lines = laid_out("table.csv", facts=facts, **content).splitlines()
     lines.append(",".join(_table_header(table.columns, count, unit)))
     values = table.corrections.reshape(-1, count * len(table.columns)) / to_internal(table.joint_unit)
     places = itertools.product(*([f"{v:.6f}" for v in axis] for axis in table.axes))
@@ -378,15 +354,6 @@ def _table_text(table: TableCompensator, compensator: Compensator, over: Spans) 
         cells = ("" if math.isnan(v) else f"{v:.{TABLE_DECIMALS}f}" for v in row)
         lines.append(",".join((*place, *cells)))
     return "\n".join(lines) + "\n"
-
-
-def _toml(value: Any) -> str:
-    return json.dumps(value).replace("\x7f", "\\u007f")
-
-
-def _hours(compensator: Compensator) -> str:
-    """Return the time as effects count it."""
-    return f"(time_s - {compensator.begun!r})" if compensator.begun else "time_s"
 
 
 def read_table(path: str | Path) -> TableCompensator:

@@ -1,8 +1,9 @@
-"""C99 as text: the templates of the folder ``c99``, and numbers as C writes them."""
+"""Files for a controller as text: the templates of the folder ``layouts``, and numbers as C writes them."""
 
 from __future__ import annotations
 
 import functools
+import json
 import re
 from collections.abc import Sequence
 from typing import Any
@@ -16,23 +17,27 @@ from deltacal_gen.use.spans import stated
 @functools.cache
 def _environment() -> jinja2.Environment:
     environment = jinja2.Environment(
-        loader=jinja2.PackageLoader("deltacal_gen.use", "c99"),
+        loader=jinja2.PackageLoader("deltacal_gen.use", "layouts"),
         undefined=jinja2.StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
         keep_trailing_newline=True,
     )
-    environment.filters |= {"numbers": c_numbers, "wrapped": wrapped, "stated": _stated}
+    environment.filters |= {"numbers": c_numbers, "wrapped": wrapped, "stated": _stated, "toml": _toml}
     return environment
 
 
-def c_source(template: str, **content: Any) -> str:
-    """Return the text of a template."""
-    return _environment().get_template(f"{template}.c.jinja").render(**content)
+def laid_out(template: str, **content: Any) -> str:
+    """Return the text of a template: ``command.c``."""
+    return _environment().get_template(f"{template}.jinja").render(**content)
 
 
 def _stated(measured: float) -> str:
     return f"{stated(measured):.1e}"
+
+
+def _toml(value: Any) -> str:
+    return json.dumps(value).replace("\x7f", "\\u007f")
 
 
 def plain(text: str) -> str:
