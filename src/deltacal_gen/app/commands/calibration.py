@@ -146,6 +146,7 @@ def identify(
 def _write_page(found: Result | Diagnosis, path: Source) -> None:
     from deltacal_gen.files.writing import write_files
     from deltacal_gen.pages import report
+    from deltacal_gen.results.result import Result
 
     page = report.calibration(found) if isinstance(found, Result) else report.diagnosis(found)
     write_files({Path(path): page})
