@@ -1,4 +1,4 @@
-"""The derived torques against those of MuJoCo, an engine made by others (the extra `proof`)."""
+"""The derived torques against those of MuJoCo, an engine made by others."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from tests.support.moving_chains import bodies, dynamics
 from tests.support.moving_chains import states as states_of_chain
 from tests.support.mujoco_trees import Linkage, torque_of_chain, torque_of_linkage
 
-pytest.importorskip("mujoco", reason="the extra 'proof' installs MuJoCo, whose torques are compared with")
+pytest.importorskip("mujoco", reason="MuJoCo, whose torques are compared with, is of the dependency group 'dev'")
 STATES = 1000
 NEAR = 1e-8  # of the rms of a joint's torque
 

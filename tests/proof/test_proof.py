@@ -30,7 +30,7 @@ from tests.proof.__main__ import jobs, main
 from tests.proof.engines import HAS, by_exudyn, truth_of
 from tests.proof.grading import COLUMNS, answer, judge
 
-engine = pytest.mark.skipif(not multibody.available(), reason="Exudyn is not installed: pip install '.[proof]'")
+engine = pytest.mark.skipif(not multibody.available(), reason="Exudyn is not installed: pip install --group dev")
 N = 6
 TABLES = {
     "robot": {"name": "delta", "mechanism": "delta"},
