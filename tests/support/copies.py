@@ -30,7 +30,7 @@ OTHERS = {  # commands that no file of a registry changes
 }
 LINES = """
 import json, sys
-from deltacal_gen.app.cli.table import COMMANDS
+from deltacal_gen.app import cli
 for line in json.loads(sys.argv[1]):
     sys.argv[1:] = line
     try:
