@@ -122,8 +122,7 @@ def recording_of_rows(
     pairs, rows = _pairs_and_rows(path, rows)
     rows, targets = with_vectors(rows, measurement.rotation, mechanism.axes), None
     axes = tuple(f"{axis}_mm" for axis in mechanism.axes)
-    has_joints = any(_JOINT_LIKE.match(name) for name in rows.columns)
-    if allow_targets and not has_joints and set(axes) & set(rows.columns):
+    if allow_targets and not any(map(_JOINT_LIKE.match, rows.columns)) and set(axes) & set(rows.columns):
         targets, rows = targets_of(rows, mechanism, measurement.rotation)
         joints = np.full((len(targets), mechanism.limbs), np.nan)
     else:
@@ -160,11 +159,8 @@ def recording_of_rows(
         recording = _with_pairs(recording, pairs, rows, need_measured and kind.pairs)
     else:
         check_repeats(recording, rows)
-    if (
-        need_measured
-        and recording.measurement.zero == "incremental"
-        and any(key.key == "home" for key in mechanism.geometry)
-    ):
+    counts_from_home = measurement.zero == "incremental" and any(key.key == "home" for key in mechanism.geometry)
+    if need_measured and counts_from_home:
         check_home(recording)
     label = rows.labels("run")
     run = [f"set-up '{setup_names[k]}'" for k in setup] if label is None else [f"run '{own}'" for own in label]

@@ -261,15 +261,7 @@ def trajectories(
     """Return the rows of a table as samples in time; see `read`. Joints that are `asked` for stay as they are."""
     rows.require(TIME)
     time = rows.numbers(TIME, blank=False)[:, 0]
-    labels = rows.labels("run", blank=False) or ["1"] * len(time)
-    run_names = tuple(dict.fromkeys(labels))
-    run = np.array([run_names.index(label) for label in labels])
-    rows.refuse(
-        run < np.maximum.accumulate(run),
-        lambda k: f"run '{run_names[run[k]]}' goes on here, after rows of another one.",
-        "Keep each run together.",
-        column="run",
-    )
+    run_names, run = _runs(rows)
     again, repairs = increasing(rows.path, rows.line, time, run, [f"run '{name}'" for name in run_names])
     kept = ~again
     repaired = set(rows.line[~kept].tolist())
@@ -317,6 +309,20 @@ def trajectories(
     )
     _check_derivatives(rows, found, machine)
     return found
+
+
+def _runs(rows: Rows) -> tuple[tuple[str, ...], np.ndarray]:
+    """Return the names of the runs, and which one each row belongs to."""
+    labels = rows.labels("run", blank=False) or ["1"] * len(rows.line)
+    names = tuple(dict.fromkeys(labels))
+    run = np.array([names.index(label) for label in labels])
+    rows.refuse(
+        run < np.maximum.accumulate(run),
+        lambda k: f"run '{names[run[k]]}' goes on here, after rows of another one.",
+        "Keep each run together.",
+        column="run",
+    )
+    return names, run
 
 
 def _put_right(

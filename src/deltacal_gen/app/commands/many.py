@@ -104,8 +104,9 @@ def study(
     check_output(output, robot, plan, *suspect)
     check_output(report, robot, plan, output, *suspect)
     machines, chosen = _machines(robot, plan, model, machine, noise, suspect, seed)
-    where = {"workers": workers, "cluster": cluster, "directory": resume}
-    found = studies.conduct(machines, trials, diagnoses, model=chosen, told=told, **where)
+    found = studies.conduct(
+        machines, trials, diagnoses, model=chosen, told=told, workers=workers, cluster=cluster, directory=resume
+    )
     if output is not None:
         write_json(found, output)
     if report is not None:
