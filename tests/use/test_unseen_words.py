@@ -16,7 +16,7 @@ from deltacal_gen.pages import report
 from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.results.result import OpenCombination, Result
 from deltacal_gen.units import to_internal
-from deltacal_gen.use.unseen import sentences
+from deltacal_gen.use.unseen import explained, sentences
 from tests.support.prototype import plausible, scattered, wanted
 
 ALL = {"ex_1": 0.1, "ex_2": 0.1, "ex_3": 0.1}
@@ -63,7 +63,7 @@ def test_a_machine_without_a_workspace_keeps_the_numbers(found: Result) -> None:
 
 
 def test_the_page_folds_the_numbers_behind_the_sentence(found: Result) -> None:
-    page = report.calibration(found)  # on paper the sentence stays, and what is folded elsewhere is unfolded
+    page = report.calibration(explained(found))  # on paper the sentence stays, and what is folded elsewhere is unfolded
     assert page.count('<details class="said"><summary>The machine as a whole ') == len(found.unidentifiable)
 
 

@@ -129,9 +129,9 @@ def _run(command: Command, given: dict[str, Any]) -> int:
             call.arguments["tell"] = notes.append
         found = function(*call.args, **call.kwargs)
     if picture is not None:
-        from deltacal_gen.pages import figures
+        from deltacal_gen.pages import figures, plots
 
-        figures.save(found.plot(), picture)
+        figures.save(plots.plot(found), picture)
     answer = found if command.receipt is None else command.receipt(found, given, tuple(notes))
     terminal.show(answer)
     for path in (*(given.get(name) for name in FILES), picture):
