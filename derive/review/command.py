@@ -2,8 +2,8 @@
 
 Tasks are ``derivation`` (reports of what is derived), ``trial`` (a first look at a machine that was just derived),
 ``claims`` (the ledger of the papers' claims) and ``reproduce`` (the tables of a paper). The answer is JSON on standard
-output; of a wrong call it is a text, of an unusable input what an `InputError` holds, and the exit code is that of the
-error's class. Progress goes to standard error.
+output; of an error it is its code and what it was made of, and the exit code is that of its class. Progress goes to
+standard error.
 """
 
 from __future__ import annotations
@@ -126,10 +126,10 @@ def main(arguments: Sequence[str]) -> int:
     try:
         print(json.dumps(answer(arguments)))
     except InputError as error:
-        said = {"problem": error.problem, "remedy": error.remedy, "line": error.line, "column": error.column}
-        print(json.dumps({**said, "file": None if error.file is None else str(error.file)}))
+        where = {"file": None if error.file is None else str(error.file), "line": error.line, "column": error.column}
+        print(json.dumps({"code": error.code, "words": [error.problem, error.remedy], "where": where}))
         return error.exit_code
     except UsageError as error:
-        print(json.dumps(str(error)))
+        print(json.dumps({"code": error.code, "words": [str(error)], "where": {}}))
         return error.exit_code
     return 0

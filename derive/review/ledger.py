@@ -21,7 +21,7 @@ from typing import Annotated, Any
 from pydantic import Field, ValidationError
 from pydantic_core import ErrorDetails
 
-from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.errors import BadValue, InputError, UnknownName
 from deltacal_gen.files.toml import Table, TomlFile
 from deltacal_gen.results.registered import STATUSES, Status
 from derive.review import rendering
@@ -96,7 +96,7 @@ def load_paper(name: str) -> Paper:
         There is no such paper.
     """
     if name not in paper_names():
-        raise UsageError(f"there is no paper '{name}'; known: {', '.join(paper_names())}.")
+        raise UnknownName(f"there is no paper '{name}'; known: {', '.join(paper_names())}.")
     return read_paper(folder() / f"{name}.toml")
 
 
@@ -118,7 +118,7 @@ def read_paper(path: str | Path) -> Paper:
     for n, entry in enumerate(entries):
         try:
             if "paper" in entry:
-                raise InputError("'paper' is the file's name.", "Remove it.", file=path, line=headers[n])
+                raise BadValue("'paper' is the file's name.", "Remove it.", file=path, line=headers[n])
             given = _with_verdicts(entry, verdicts, Path(path), headers[n]) if "derived" in entry else entry
             claims.append(Claim.model_validate({"paper": name, **given}))
         except ValidationError as error:
@@ -135,7 +135,7 @@ def select(papers: Iterable[Paper], status: str | None, words: Sequence[str]) ->
         There is no such status.
     """
     if status not in (None, *STATUSES):
-        raise UsageError(f"there is no status '{status}'; known: {', '.join(STATUSES)}.")
+        raise UnknownName(f"there is no status '{status}'; known: {', '.join(STATUSES)}.")
     return [c for p in papers for c in p.claims if status in (None, c.status) and _has(c, words)]
 
 
@@ -253,13 +253,13 @@ def _with_verdicts(
     names = [entry["derived"]] if isinstance(entry["derived"], str) else list(entry["derived"])
     typed = sorted({"printed", "correct", "status", "decided"} & entry.keys())
     if typed:
-        raise InputError(
+        raise BadValue(
             f"'{typed[0]}' is typed beside 'derived', which decides it.", "Remove one.", file=path, line=line
         )
     unknown = [n for n in names if n not in verdicts]
     if unknown or not names:
         known = ", ".join(verdicts) or "none"
-        raise InputError(
+        raise BadValue(
             f"there is no verdict {unknown or names!r} of the derivation; known: {known}.",
             'Correct it, or run "python -m derive verdicts".',
             file=path,
@@ -279,7 +279,7 @@ def _explained(flaw: ErrorDetails, entry: Mapping[str, Any], n: int, path: Path,
         case "extra_forbidden" | "missing":
             known = ", ".join(name for name in Claim.model_fields if name != "paper")
             problem = "is missing" if flaw["type"] == "missing" else "is not known"
-            return InputError(f"{what} {problem}.", f"A claim has {known}.", file=path, line=line)
+            return BadValue(f"{what} {problem}.", f"A claim has {known}.", file=path, line=line)
         case "literal_error":
             wanted = f"one of {', '.join(STATUSES)}"
         case "string_pattern_mismatch":
@@ -289,6 +289,4 @@ def _explained(flaw: ErrorDetails, entry: Mapping[str, Any], n: int, path: Path,
             }.get(str(key), "one line of text")
         case _:
             wanted = "one line of text"
-    return InputError(
-        f"{what} is {flaw['input']!r}: {wanted} was expected.", "Correct the value.", file=path, line=line
-    )
+    return BadValue(f"{what} is {flaw['input']!r}: {wanted} was expected.", "Correct the value.", file=path, line=line)

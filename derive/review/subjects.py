@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from enum import Enum
 from functools import cache
 
-from deltacal_gen.errors import UsageError
+from deltacal_gen.errors import UnknownName
 from deltacal_gen.files.robot import Robot, for_model, read_robot, robot_from_dict
 from deltacal_gen.instrument.kind import Kind
 from deltacal_gen.machine.registry import load_mechanism, mechanism_names, mechanism_of
@@ -76,7 +76,7 @@ def subject(name: str) -> Subject:
     named = [s for s in every if s.name == name] or [s for s in every if s.mechanism == name]
     if not named:
         known = ", ".join(s.name for s in every)
-        raise UsageError(f"there is no model, mechanism, effect or measurement '{name}'; known: {known}.")
+        raise UnknownName(f"there is no model, mechanism, effect or measurement '{name}'; known: {known}.")
     return named[0]
 
 

@@ -3,7 +3,12 @@
 from .app.commands.assess import certificate as certificate, compare as compare, validate as validate
 from .app.commands.calibration import diagnose as diagnose, identify as identify, matrix as matrix
 from .app.commands.experiments import next_poses as next_poses, simulate as simulate
-from .app.commands.guide import demo as demo, manual as manual, manual_examples as manual_examples
+from .app.commands.guide import (
+    demo as demo,
+    explain as explain,
+    manual as manual,
+    manual_examples as manual_examples,
+)
 from .app.commands.many import batch as batch, study as study
 from .app.commands.model_side import (
     claims as claims,

@@ -20,7 +20,7 @@ from typing import Any, NamedTuple
 
 import deltacal_kernels
 
-from deltacal_gen.errors import DeltacalError, InputError
+from deltacal_gen.errors import Cluster, DeltacalError, FileNotWritable, MissingLibrary
 from deltacal_gen.files.writing import write_files
 from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.results.base import Json
@@ -89,7 +89,9 @@ class Store:
         try:
             self.folder.mkdir(parents=True, exist_ok=True)
         except OSError as error:
-            raise InputError(f"cannot be made: {error.strerror}.", "Choose another folder.", file=directory) from None
+            raise FileNotWritable(
+                f"cannot be made: {error.strerror}.", "Choose another folder.", file=directory
+            ) from None
 
     def get(self, key: str, label: str = "") -> Outcome | None:
         """Return the outcome of a task that was done, or None."""
@@ -239,13 +241,13 @@ def _client(address: str) -> Any:
         from distributed import Client
     except ImportError:
         remedy = "pip install 'deltacal_gen[cluster]', or leave --cluster out."
-        raise InputError("a cluster needs Dask, which is not installed.", remedy) from None
+        raise MissingLibrary("a cluster needs Dask, which is not installed.", remedy) from None
     if "://" not in address:
-        raise InputError(f"'{address}' is no address of a scheduler.", "Give tcp://HOST:PORT.")
+        raise Cluster(f"'{address}' is no address of a scheduler.", "Give tcp://HOST:PORT.")
     try:
         return Client(address, timeout=CONNECT_S, set_as_default=False)
     except (OSError, ValueError, TimeoutError) as error:
-        raise InputError(
+        raise Cluster(
             f"no scheduler answers at {address} within {CONNECT_S:g} s ({type(error).__name__}).",
             "Start one (dask scheduler), or give its address: tcp://HOST:PORT. What was done before is kept.",
         ) from None

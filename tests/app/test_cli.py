@@ -233,3 +233,58 @@ def test_nothing_at_run_time_imports_sympy() -> None:
     rooms = ("app.cli", "diagnosis.diagnosis", "planning.planning")
     code = f"import sys, {', '.join(f'deltacal_gen.{room}' for room in rooms)}; sys.exit('sympy' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code]).returncode == 0
+
+
+def test_an_error_has_a_code_that_is_explained(run: Run, shop: Path) -> None:
+    code, out, err = run("identify", shop / "robot.toml", shop / "absent.csv", "--json")
+    found = json.loads(out)
+    assert (code, found["code"], found["exit_code"]) == (3, "file-not-readable", 3)
+    assert found["file"].endswith("absent.csv")
+    assert err.startswith("error[file-not-readable]: ")
+    code, out, _ = run("explain", found["code"])
+    assert code == 0
+    assert out.startswith("# file-not-readable\n")
+    assert "permissions" in out
+    code, _, err = run("explain", "nothing-of-that")
+    assert code == 2
+    assert "missing-column" in err
+    assert run("identify", "--nonsense")[2].startswith("error[command-line]: ")
+
+
+def test_an_old_option_names_the_new_one(run: Run, shop: Path) -> None:
+    for command, old, new in (("identify", "--solver", "--method"), ("batch", "--machine", "--group-by")):
+        code, _, err = run(command, shop, shop, old, "x")
+        assert code == 2
+        assert f"{old} of {command} is now called {new}" in err
+
+
+def test_an_option_of_another_use_is_refused(run: Run, shop: Path) -> None:
+    code, _, err = run("plan", shop / "robot.toml", "--model", "18", "--runs", 3)
+    assert code == 2
+    assert "--runs means nothing here" in err
+
+
+def test_help_is_found_in_every_way(run: Run) -> None:
+    shown = run("identify", "--help")[1]
+    assert shown == run("help", "identify")[1]
+    assert "Example: deltacal identify" in shown
+    code, out, _ = run()
+    assert code == 2
+    for group in ("Start", "Calibrate", "Diagnose", "Use", "Printers", "Review"):
+        assert f" {group} " in out
+    assert run("-V") == run("--version")
+
+
+def test_quiet_prints_nothing_and_verbose_what_is_done(run: Run, shop: Path) -> None:
+    command = ("identify", shop / "robot.toml", shop / "recording.csv", "--model", "18", "-o", shop / "r.json")
+    assert run(*command, "--quiet") == (0, "", "")
+    assert "fine stage" in run(*command, "--verbose")[2]
+
+
+def test_help_imports_nothing_that_computes() -> None:
+    code = (
+        "import sys; from deltacal_gen.app.cli.application import application;"
+        "[application(words).help_print([]) for words in ([], ['identify'])];"
+        "sys.exit(bool({'numpy', 'pydantic', 'scipy'} & sys.modules.keys()))"
+    )
+    assert subprocess.run([sys.executable, "-c", code], stdout=subprocess.DEVNULL).returncode == 0

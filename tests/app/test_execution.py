@@ -16,6 +16,7 @@ from typing import Any
 import pytest
 
 from deltacal_gen import InputError, execution
+from deltacal_gen.errors import BadValue, FileNotReadable
 from deltacal_gen.execution import Task, content_key, run
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -28,7 +29,7 @@ def square(n: int) -> dict[str, Any]:
 
 def refuse(n: int) -> dict[str, Any]:
     if n == 2:
-        raise InputError("two cannot be squared.", "Take three.")
+        raise BadValue("two cannot be squared.", "Take three.")
     if n == 3:
         raise ZeroDivisionError("three")
     return square(n)
@@ -152,7 +153,7 @@ def test_a_long_task_holds_up_nobody_and_what_has_ended_is_kept_at_once(kept: bo
 
 def test_a_task_whose_files_have_gone_fails_alone() -> None:
     def gone() -> tuple[Any, ...]:
-        raise InputError("cannot be read.", "Look at the file.")
+        raise FileNotReadable("cannot be read.", "Look at the file.")
 
     for workers in (1, 2):
         found = list(run(square, [*numbered(2), Task("x", "gone", gone)], workers=workers))

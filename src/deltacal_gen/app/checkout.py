@@ -15,7 +15,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
-from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.errors import InputError, NeedsCheckout, NotInstalled, UsageError, families
 
 
 def find_checkout() -> Path | None:
@@ -39,9 +39,9 @@ def require_checkout(*, deriving: bool) -> Path:
     """
     root = find_checkout()
     if root is None:
-        raise UsageError("this command needs a source checkout, and this is an installed package.")
+        raise NeedsCheckout("this command needs a source checkout, and this is an installed package.")
     if deriving and not find_spec("sympy"):
-        raise UsageError("deriving needs SymPy: pip install 'sympy>=1.14,<1.15'.")
+        raise NotInstalled("deriving needs SymPy: pip install 'sympy>=1.14,<1.15'.")
     return root
 
 
@@ -66,10 +66,9 @@ def run_review(*arguments: object, deriving: bool = False, progress: Callable[[s
                 progress(line.rstrip())
         written.seek(0)
         answer = written.read()
-    if process.returncode == UsageError.exit_code:
-        raise UsageError(json.loads(answer))
-    if process.returncode == InputError.exit_code:
-        raise InputError(**json.loads(answer))
+    if process.returncode in (UsageError.exit_code, InputError.exit_code):
+        told = json.loads(answer)
+        raise families()[told["code"]](*told["words"], **told["where"])
     if process.returncode:
         raise RuntimeError("".join(lines) + answer)
     return json.loads(answer)

@@ -24,7 +24,7 @@ from typing import Any, cast, get_args
 from deltacal_gen.app.commands.assess import validate
 from deltacal_gen.app.commands.calibration import diagnose, identify
 from deltacal_gen.app.moved import moved
-from deltacal_gen.errors import DeltacalError, InputError, UsageError
+from deltacal_gen.errors import DeltacalError, FileNotReadable, ImportUnclear, InputError, UnknownName
 from deltacal_gen.execution import Outcome, Store, Task, Told, content_key, run
 from deltacal_gen.files import importers
 from deltacal_gen.files.lists import is_table_of_joints
@@ -112,7 +112,7 @@ def find(folder: str | Path, action: str = "diagnose", machine: str | None = Non
     """
     folder = Path(folder)
     if action not in ACTIONS:
-        raise UsageError(f"there is no action '{action}'; known: {', '.join(ACTIONS)}.")
+        raise UnknownName(f"there is no action '{action}'; known: {', '.join(ACTIONS)}.")
     _machine_of("", machine)
     found: list[Job | Session] = []
     for place in _folders(folder):
@@ -135,7 +135,7 @@ def find(folder: str | Path, action: str = "diagnose", machine: str | None = Non
             found += _sessions(folder, place, tables)
     if not any(isinstance(f, Session) or f.refused is None for f in found):
         first = next((f for f in found if isinstance(f, Job)), None)
-        raise InputError(
+        raise ImportUnclear(
             f"there is no recording beside a {ROBOT}, and nothing that can be imported."
             if first is None
             else f"nothing can be done: {first.label}: {first.refused}",
@@ -176,7 +176,7 @@ def _machine_of(label: str, pattern: str | None) -> str:
     try:
         match = None if pattern is None else re.search(pattern, path)
     except re.error as error:
-        raise UsageError(f"--group-by is no regular expression: {error}.") from None
+        raise UnknownName(f"--group-by is no regular expression: {error}.") from None
     name = match[0] if match else Path(path).parent.as_posix()
     return f"{name} {part}" if part not in ("", "recording") else name
 
@@ -232,7 +232,7 @@ def laid_out(files: Contents) -> Iterator[Path]:
             yield folder
         except InputError as error:
             file = None if error.file is None else Path(str(error.file)).name
-            raise InputError(error.problem, error.remedy, file=file, line=error.line, column=error.column) from None
+            raise type(error)(error.problem, error.remedy, file=file, line=error.line, column=error.column) from None
 
 
 def unpack(kind: str, files: Contents) -> Json:
@@ -369,7 +369,7 @@ def _of_session(store: Store, key: str, name: str, beside: Mapping[str, Path]) -
     """Return the files of an imported recording, which the run directory keeps."""
     kept = store.get(key)
     if kept is None or kept.result is None:
-        raise InputError("a result that was there is gone.", "Run again.", file=store.folder)
+        raise FileNotReadable("a result that was there is gone.", "Run again.", file=store.folder)
     texts: dict[str, str] = kept.result["recordings"][name]
     return {n: t.encode() for n, t in texts.items()} | dict(_contents(beside))
 
@@ -378,7 +378,7 @@ def _contents(files: Mapping[str, Path]) -> Contents:
     try:
         return {name: path.read_bytes() for name, path in files.items()}
     except OSError as error:
-        raise InputError(f"cannot be read: {error.strerror}.", "Look at the file.", file=error.filename) from None
+        raise FileNotReadable(f"cannot be read: {error.strerror}.", "Look at the file.", file=error.filename) from None
 
 
 def _key(contents: Callable[[], Contents], *more: str | None) -> tuple[str, str]:

@@ -52,7 +52,7 @@ from deltacal_gen.diagnosis.strategy import (
 )
 from deltacal_gen.diagnosis.structure import Structure, structures
 from deltacal_gen.diagnosis.wandering import following_walks
-from deltacal_gen.errors import NoSolutionError
+from deltacal_gen.errors import NoConvergence
 from deltacal_gen.estimation.fit import CONVERGED, fit, held_out_errors, rough
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.prior import with_prior
@@ -482,7 +482,7 @@ def _of_all(problem: Problem, first: Fit, found: Fit, spectrum: Spectrum | None)
     final = refitted(held, start, terms_of(start), **how)
     final = final and believable(held, final, **how)
     if baseline is None or final is None:
-        raise NoSolutionError("the fit of all readings did not converge, though that of a part did.")
+        raise NoConvergence("the fit of all readings did not converge, though that of a part did.")
     if spectrum is not None:  # orders are as unknown as what is beside them
         same = spectrum if len(spectrum.covariance) == len(final.covariance) else periodic(final, parts, spectrum)
         final = final if same is None else dataclasses.replace(final, covariance=same.covariance)

@@ -18,7 +18,16 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from deltacal_gen.errors import InputError, NoSolutionError, UsageError
+from deltacal_gen.errors import (
+    NoReadings,
+    NotForThisMachine,
+    OptionNotApplicable,
+    OutOfReach,
+    UnknownModel,
+    UnknownName,
+    ValueOutOfRange,
+    WrongArray,
+)
 from deltacal_gen.estimation.fit import fit, rough
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem, pose_problem
@@ -57,20 +66,20 @@ def nominal(mechanism: str, geometry: Mapping[str, ArrayLike], tool: ArrayLike =
     """
     known = load_mechanism(mechanism)
     if known.linked:
-        raise UsageError(f"{mechanism} is made of links; write a robot file and read it with read_robot.")
+        raise NotForThisMachine(f"{mechanism} is made of links; write a robot file and read it with read_robot.")
     keys = {entry.key: entry for entry in known.geometry}
     if wrong := sorted(geometry.keys() - keys.keys()):
-        raise UsageError(f"{mechanism} has no dimension '{wrong[0]}'; it has {', '.join(keys)}.")
+        raise UnknownModel(f"{mechanism} has no dimension '{wrong[0]}'; it has {', '.join(keys)}.")
     values = {}
     for name, entry in keys.items():
         if name not in geometry and entry.default is None:
             unit = file_unit(entry.unit)
-            raise UsageError(f"the dimension '{name}' of {mechanism} is missing: {entry.meaning} [{unit}].")
+            raise WrongArray(f"the dimension '{name}' of {mechanism} is missing: {entry.meaning} [{unit}].")
         value = np.multiply(geometry[name], to_internal(entry.unit)) if name in geometry else entry.default
         length = sum(other.key == name for other in known.geometry) if entry.entry is not None else known.limbs
         values[name] = np.atleast_1d(np.asarray(value, dtype=float))
         if values[name].shape not in ((1,), (length,)) or not np.isfinite(values[name]).all():
-            raise UsageError(f"the dimension '{name}' of {mechanism} must be one finite number or {length} of them.")
+            raise WrongArray(f"the dimension '{name}' of {mechanism} must be one finite number or {length} of them.")
     return Robot(
         name=mechanism,
         mechanism=mechanism,
@@ -108,35 +117,35 @@ def recorded(
     """
     mechanism = mechanism_of(robot)
     if frame not in FRAMES:
-        raise UsageError(f"there is no frame '{frame}'; known: {', '.join(FRAMES)}.")
+        raise UnknownName(f"there is no frame '{frame}'; known: {', '.join(FRAMES)}.")
     if sigma is not None and not (sigma > 0 and np.isfinite(sigma)):
-        raise UsageError(f"sigma = {sigma}: a standard deviation above 0 mm was expected, or None.")
+        raise ValueOutOfRange(f"sigma = {sigma}: a standard deviation above 0 mm was expected, or None.")
     q, values = np.asarray(joints, dtype=float), np.asarray(measured, dtype=float)
     if q.ndim != 2 or q.shape[1] != mechanism.limbs or not np.isfinite(q).all():
-        raise UsageError(f"joints have the shape {q.shape}; (N, {mechanism.limbs}) finite numbers were expected.")
+        raise WrongArray(f"joints have the shape {q.shape}; (N, {mechanism.limbs}) finite numbers were expected.")
     ends = None if pairs is None else np.asarray(pairs)
     wanted = (len(q), len(mechanism.axes)) if ends is None else (len(ends),)
     if values.shape != wanted:
         what = f"positions along {' '.join(mechanism.axes)}" if ends is None else "one distance per pair"
-        raise UsageError(f"measured has the shape {values.shape}; {wanted} was expected: {what}.")
+        raise WrongArray(f"measured has the shape {values.shape}; {wanted} was expected: {what}.")
     if ends is not None and (
         ends.ndim != 2 or ends.shape[1] != 2 or ends.dtype.kind not in "iu" or not np.isin(ends, range(len(q))).all()
     ):
-        raise UsageError(f"pairs must be (K, 2) whole numbers below {len(q)}: rows of joints.")
+        raise WrongArray(f"pairs must be (K, 2) whole numbers below {len(q)}: rows of joints.")
     if not np.isfinite(np.atleast_2d(values.T)).all(axis=0).any():
-        raise InputError("measured holds no reading, so there is nothing to fit.", "Give at least one.", file=GIVEN)
+        raise NoReadings("measured holds no reading, so there is nothing to fit.", "Give at least one.", file=GIVEN)
     points = None if tool is None else _points(tool, len(q), "tool")
     if ends is not None:
         at = q if points is None else np.hstack([q, np.where(np.isfinite(points), points, robot.tool)])
         if (same := (at[ends[:, 0]] == at[ends[:, 1]]).all(axis=1)).any():
             k = int(np.argmax(same))
-            raise UsageError(
+            raise WrongArray(
                 f"pairs[{k}] = {ends[k].tolist()} has the same joints and tool at both ends; "
                 "a pair needs two different poses."
             )
         if (values < 0).any():
             k = int(np.argmax(values < 0))
-            raise UsageError(f"measured[{k}] = {values[k]:.6g}: a distance cannot be negative.")
+            raise WrongArray(f"measured[{k}] = {values[k]:.6g}: a distance cannot be negative.")
     return Recording(
         path=GIVEN,
         kind=POINTS if ends is None else PAIRS,
@@ -258,12 +267,12 @@ class PoseSet:
         self.robot, self.mechanism = robot, mechanism_of(robot)
         self.joints = np.asarray(joints, dtype=float)
         if self.joints.ndim != 2 or self.joints.shape[1] != self.mechanism.limbs:
-            raise UsageError(f"joints have the shape {self.joints.shape}; (N, {self.mechanism.limbs}) was expected.")
+            raise WrongArray(f"joints have the shape {self.joints.shape}; (N, {self.mechanism.limbs}) was expected.")
         self.tool = _points(robot.tool if tool is None else tool, len(self.joints), "tool")
         self._x, status = self.mechanism.forward(self.joints, self.tool, self.mechanism.rows(robot))
         if (status != SOLVED).any():
             row = int(np.argmax(status != SOLVED))
-            raise NoSolutionError(f"at the joints of row {row} the machine is {STATUS[int(status[row])]}.")
+            raise OutOfReach(f"at the joints of row {row} the machine is {STATUS[int(status[row])]}.")
 
     def positions(self, errors: ArrayLike, joints: Array | None = None, *, out: Array | None = None) -> Array:
         """Return exact positions (T, N, 3) [mm] of machines with source errors (T, n_p); NaN where there is none.
@@ -338,7 +347,9 @@ class LinearFit:
     def __init__(self, problem: Problem, made: bool) -> None:
         instrument = problem.begin(problem.reference)
         if instrument.free:
-            raise UsageError('positions in an unknown frame are not linear: give as_distance=True or frame="robot".')
+            raise OptionNotApplicable(
+                'positions in an unknown frame are not linear: give as_distance=True or frame="robot".'
+            )
         state, x = problem.linearise(problem.reference, instrument), problem.poses(problem.reference)
         self.names, self.columns = problem.names, problem.columns
         self._from, self._parameters = problem.reference[self.columns], len(problem.reference)
@@ -371,7 +382,7 @@ class LinearFit:
             wanted = (
                 f"positions (T, {self._poses}, axes)" if self._ends is not None else f"{len(self._nominal)} numbers"
             )
-            raise UsageError(f"measured has the shape {measured.shape}; {wanted} of each machine were expected.")
+            raise WrongArray(f"measured has the shape {measured.shape}; {wanted} of each machine were expected.")
         out = result(out, (len(measured), len(self.names)))
         for first in range(0, len(measured), MACHINES):
             some = slice(first, first + MACHINES)
@@ -407,5 +418,5 @@ class LinearFit:
 def _points(values: ArrayLike, rows: int, what: str) -> Array:
     points = np.asarray(values, dtype=float)
     if points.shape not in ((3,), (rows, 3)):
-        raise UsageError(f"{what} has the shape {points.shape}; (3,) or ({rows}, 3) was expected.")
+        raise WrongArray(f"{what} has the shape {points.shape}; (3,) or ({rows}, 3) was expected.")
     return np.array(np.broadcast_to(points, (rows, 3)))

@@ -13,7 +13,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from deltacal_gen.errors import InputError, NoSolutionError
+from deltacal_gen.errors import ImplausibleReadings, InputError, NoConvergence
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.prior import BROAD, unsaid, with_prior
 from deltacal_gen.estimation.problem import Problem
@@ -323,7 +323,7 @@ class _Iteration:
         """Raise what the iteration did not converge of."""
         _blame(self._problem, residual)
         last = ", ".join(f"{h:.1e}" for h in self._history[-3:])
-        raise NoSolutionError(
+        raise NoConvergence(
             f"the fit of {len(self._problem.names)} parameters did not converge in {MAX_ITERATIONS} iterations: the "
             f"last ones promised to lower chi2 by {last}. Try a smaller model, a TSVD or priors."
         )
@@ -399,7 +399,7 @@ def _blame(problem: Problem, residual: Array) -> None:
                 "Check their joints and measured cells; where a joint moves in these rows alone, compare it with the "
                 "robot file."
             )
-        raise InputError(
+        raise ImplausibleReadings(
             f"the reading is {size[worst]:.4g} mm off the machine at these joints, most others {usual:.3g} mm.",
             remedy,
             file=problem.recording.path,

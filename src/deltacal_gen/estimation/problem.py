@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import ImpossiblePose, MissingKey
 from deltacal_gen.instrument.kind import Instrument, Readings
 from deltacal_gen.instrument.kinds import measured_points, readings
 from deltacal_gen.machine.answers import Sensitivity
@@ -134,7 +134,7 @@ class Problem:
         sensitivity = self.sensitivity(machine, used)
         if not np.isfinite(sensitivity.parameters).all():
             row = int(used[~np.isfinite(sensitivity.parameters).all(axis=(1, 2))][0])
-            raise InputError(
+            raise ImpossiblePose(
                 "at these joints the machine is singular.",
                 "Remove the row.",
                 file=self.recording.path,
@@ -333,7 +333,7 @@ def pose_problem(
     mechanism = mechanism_of(robot)
     found = readings(recording, as_distance=as_distance) if found is None else found
     if not robot.drawn and not found.kind.sees_joints:
-        raise InputError(
+        raise MissingKey(
             f"there is no table [geometry], which readings of the kind '{found.kind.name}' need.",
             "Add the machine's dimensions from its drawing; readings of joints do without.",
             file=robot.source,

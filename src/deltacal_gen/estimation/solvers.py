@@ -17,7 +17,7 @@ from typing import Protocol
 
 import numpy as np
 
-from deltacal_gen.errors import UsageError
+from deltacal_gen.errors import OptionMissing, UnknownName
 from deltacal_gen.machine.registry import Array
 
 BLOCK = 1024  # rows of a tall matrix that are factored at once
@@ -223,9 +223,9 @@ class TSVD:
         if isinstance(self.truncation, Integral) and self.truncation >= 0:
             object.__setattr__(self, "truncation", int(self.truncation))  # one of NumPy too
         elif self.truncation not in ("discrepancy", "gcv"):
-            raise UsageError(f"truncation '{self.truncation}' is not known; give a number, 'discrepancy' or 'gcv'.")
+            raise UnknownName(f"truncation '{self.truncation}' is not known; give a number, 'discrepancy' or 'gcv'.")
         if self.truncation == "discrepancy" and self.noise is None:
-            raise UsageError("the discrepancy principle needs a known noise: give sigma_mm in the sidecar.")
+            raise OptionMissing("the discrepancy principle needs a known noise: give sigma_mm in the sidecar.")
 
     @property
     def weight(self) -> None:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import BadValue, ContradictingRows, ImplausibleReadings, WrongUnit
 from deltacal_gen.files.robot import robot_size
 from deltacal_gen.files.rows import Rows
 from deltacal_gen.instrument.kinds import PAIRS, kind_of
@@ -45,7 +45,7 @@ def check_units(recording: Recording, robot: Robot, *, load: Callable[[str], Mac
         most = np.maximum(most, np.nan_to_num(np.abs(robot.joint_limits).max(axis=1)))
     if (far := np.argwhere(turning & (np.abs(q) > most))).size:
         row, joint = far[0]
-        raise InputError(
+        raise ImplausibleReadings(
             f"the joint reads {q[row, joint] / DEG:.6g} deg, more than joints of this machine turn either way.",
             "Give angles of the joint, after the gear, in degrees; or limits_deg of one that turns so far.",
             file=recording.path,
@@ -55,7 +55,7 @@ def check_units(recording: Recording, robot: Robot, *, load: Callable[[str], Mac
     # an axis is as long as it slides
     size = robot_size(robot, load=load) + float(np.ptp(q[:, ~turning], axis=0).max(initial=0.0)) * bool(robot.links)
     if size == 0:
-        raise InputError(
+        raise BadValue(
             "the machine has no size: the lengths of all its links are 0, and no joint slides in this recording.",
             "Give a and d of its [[joint]] tables, in mm.",
             file=robot.source,
@@ -64,7 +64,7 @@ def check_units(recording: Recording, robot: Robot, *, load: Callable[[str], Mac
     for column, spread, turn in _spreads(recording, q / np.where(turning, 1.0, size)):
         what = f"the readings spread over {spread:.4g} mm"
         if small_angles and spread > size * max(_MOST_MOTION * turn, _LEAST_SPREAD):
-            raise InputError(
+            raise WrongUnit(
                 f"{what}, yet no joint reads more than {_RADIANS} deg: the joints look like radians.",
                 "Convert them to degrees.",
                 file=recording.path,
@@ -72,7 +72,7 @@ def check_units(recording: Recording, robot: Robot, *, load: Callable[[str], Mac
             )
         if spread > _MOST_SPREAD * size or spread < _LEAST_SPREAD * size * min(turn, 1.0):
             unit, factor = ("micrometres", "Divide by") if spread > size else ("metres", "Multiply by")
-            raise InputError(
+            raise WrongUnit(
                 f"{what} on a machine of {size:.4g} mm: they look like {unit}.",
                 f"{factor} 1000, or correct the robot file.",
                 file=recording.path,
@@ -131,6 +131,7 @@ def check_repeats(recording: Recording, rows: Rows) -> None:
         lambda k: f"pose '{poses[k]}' has other joints than in line {rows.line[first[poses[k]]]}.",
         "Give every pose a label of its own; only repeats, and points measured at one pose, share one.",
         column="pose",
+        family=ContradictingRows,
     )
 
 
@@ -140,7 +141,7 @@ def check_home(recording: Recording) -> None:
     if np.abs(found).max() > _SAME_JOINT:
         joint = int(np.argmax(np.abs(found)))
         unit = of_joints(recording.joint_unit, len(found))[joint]
-        raise InputError(
+        raise ImplausibleReadings(
             f'zero = "incremental": joints count from the home, yet the first row reads '
             f"{to_file(found[joint], unit):.6g} {file_unit(unit)}.",
             'Put the home, with joints 0, into the first row, or say zero = "absolute" in the sidecar.',
@@ -153,7 +154,7 @@ def check_home(recording: Recording) -> None:
     spread = float(np.ptp(axes[np.isfinite(axes).all(axis=1)], axis=0).max(initial=0.0))
     axis = int(np.argmax(np.abs(np.nan_to_num(axes[0]))))
     if abs(np.nan_to_num(axes[0, axis])) > _HOME * spread:
-        raise InputError(
+        raise ImplausibleReadings(
             f'zero = "incremental": readings count from the home, yet the first row, with joints 0, reads '
             f"{axes[0, axis]:.6g} mm.",
             'Put the home into the first row, or say zero = "absolute" in the sidecar.',

@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import FileFormat
 from deltacal_gen.instrument import kinds
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.rotation import Array
@@ -53,7 +53,7 @@ def sidecar_path(path: Path) -> Path:
     own = path.with_suffix(".toml")
     for other in (path.with_name(f"{path.name}.toml"), path.with_suffix(".TOML")):
         if other != own and other.exists() and not own.exists():
-            raise InputError(
+            raise FileFormat(
                 f"this looks like the sidecar of {path.name}, which is {own.name}.", "Rename it.", file=other
             )
     return own

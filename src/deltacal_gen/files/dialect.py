@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from datetime import UTC, datetime, time
 from pathlib import Path
 
-from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.errors import DecimalMark, FileFormat, UnknownName, WrongUnit
 from deltacal_gen.files.columns import DRIVE, JOINT, RESERVED, is_channel
 from deltacal_gen.files.toml import read_bytes
 from deltacal_gen.states import TIME
@@ -100,7 +100,7 @@ def decimal_mark(mark: str) -> Iterator[None]:
 def set_decimal_mark(mark: str | None) -> Token[str | None]:
     """Set the decimal mark of all tables that are read from here on; None: find out."""
     if mark not in (".", ",", None):
-        raise UsageError(f"'{mark}' is no decimal mark; known are . and ,")
+        raise UnknownName(f"'{mark}' is no decimal mark; known are . and ,")
     return _decimal.set(mark)
 
 
@@ -115,7 +115,7 @@ def text_of(path: Path) -> str:
     data = read_bytes(path)
     for magic, what, remedy in _FOREIGN:
         if data.startswith(magic):
-            raise InputError(f"this is no text, but {what}.", remedy, file=path)
+            raise FileFormat(f"this is no text, but {what}.", remedy, file=path)
     if b"\0" in data[:200] or data.startswith((b"\xff\xfe", b"\xfe\xff")):
         marked = data.startswith((b"\xff\xfe", b"\xfe\xff"))
         encodings = ["utf-16" if marked else "utf-16-le" if data[1:2] == b"\0" else "utf-16-be"]
@@ -124,7 +124,7 @@ def text_of(path: Path) -> str:
     for encoding in encodings:
         with contextlib.suppress(UnicodeDecodeError):
             return "\n".join(re.split("\r\n|\r|\n", data.decode(encoding)))
-    raise InputError("the file is not text.", "Save the file as text in UTF-8.", file=path)
+    raise FileFormat("the file is not text.", "Save the file as text in UTF-8.", file=path)
 
 
 @dataclass(frozen=True)
@@ -214,7 +214,7 @@ def layout_of(lines: Sequence[Line], vocabulary: Vocabulary) -> Layout:
     rows = csv.reader((text for _, text in parted(lines[header:], separator)), delimiter=separator or "\t")
     names, *cells = rows
     if len(names) == 1 and vocabulary.knows(names[0].split()):
-        raise InputError(
+        raise FileFormat(
             "its columns are parted by blanks.", "Part them by commas, semicolons or tabs.", line=lines[header][0]
         )
     units = bool(cells) and len(cells[0]) == len(names) and _are_units(cells[0])
@@ -269,7 +269,7 @@ def length_unit(text: str) -> str | None:
 def length_mm(text: str) -> float:
     """Return how many mm a unit of length has; raises InputError where it is none."""
     if (unit := length_unit(text)) is None:
-        raise InputError(f"'{text}' is no unit of length.", f"Known: {', '.join(_MM)}.")
+        raise WrongUnit(f"'{text}' is no unit of length.", f"Known: {', '.join(_MM)}.")
     return _MM[unit]
 
 
@@ -336,13 +336,13 @@ def decimal_of(cells: Iterable[tuple[int, str]]) -> str:
         elif _GROUPS[","].fullmatch(cell):
             doubtful = doubtful or (line, cell)
     if point and comma:
-        raise InputError(
+        raise DecimalMark(
             f"'{comma[1]}' in line {comma[0]} has a decimal comma, and '{point[1]}' a decimal point.",
             "Write all with one mark.",
             line=point[0],
         )
     if doubtful and not (point or comma):
-        raise InputError(
+        raise DecimalMark(
             f"whether the comma in '{doubtful[1]}' is a decimal mark or parts thousands, no cell says.",
             "Say it: --decimal , or --decimal .",
             line=doubtful[0],

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from deltacal_gen.errors import UsageError
+from deltacal_gen.errors import WrongArray
 from deltacal_gen.files.dialect import is_known
 from deltacal_gen.files.rows import Rows, typed_rows
 from deltacal_gen.files.sidecar import Sidecar
@@ -42,7 +42,7 @@ def rows_of(frame: object) -> tuple[Rows, Sidecar]:
         It has no rows, two columns of one name, or `attrs` with a mistake; lines count the rows from 1.
     """
     if not (hasattr(frame, "columns") or any(hasattr(frame, maker) for maker in _MAKERS)):
-        raise UsageError(
+        raise WrongArray(
             f"a {type(frame).__name__} is no recording: give the path of a file, or a data frame with its columns."
         )
     table = _table(frame)

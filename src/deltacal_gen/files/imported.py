@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import FileNotWritable, OtherMachine
 from deltacal_gen.files.columns import ONE_SETUP
 from deltacal_gen.files.robot import Robot, read_robot, robot_to_toml
 from deltacal_gen.files.writing import write_files, write_recording
@@ -36,7 +36,9 @@ def write_import(found: Imported, output: str | Path | None, robot: str | None =
         try:
             folder.mkdir(parents=True, exist_ok=True)
         except OSError as error:
-            raise InputError(f"the folder cannot be made: {error.strerror}.", "Choose another.", file=folder) from None
+            raise FileNotWritable(
+                f"the folder cannot be made: {error.strerror}.", "Choose another.", file=folder
+            ) from None
         if found.robot is not None:
             write_files({folder / "robot.toml": robot or robot_to_toml(found.robot)})
         for name, recording in found.recordings.items():
@@ -78,7 +80,7 @@ def robot_with(robot: str | Path | None, count: int, file: Path) -> tuple[Robot 
     machine = read_robot(robot)
     mechanism = mechanism_of(machine)
     if mechanism.limbs != count:
-        raise InputError(
+        raise OtherMachine(
             f"the file has {count} joints, the robot {mechanism.limbs}.",
             "Give the joints of the robot file, in its order; of a bag, [joints] names in the file of --mapping.",
             file=file,

@@ -10,7 +10,7 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import InputError, MissingColumn, WrongUnit
 from deltacal_gen.files.dialect import Scales, Vocabulary, length_unit, named
 from deltacal_gen.files.rows import Rows, number_of, read_table
 from deltacal_gen.machine.registry import Array
@@ -84,12 +84,16 @@ def joints_of(rows: Rows) -> tuple[Array, tuple[str, ...]]:
         raise rows.error(
             "the joints' columns are missing, or not numbered from 1.",
             "Name them q1_deg, q2_deg, ... (q1_mm for sliding joints).",
+            family=MissingColumn,
         )
     names = [found[number] for number in sorted(found)]
     for name in names:
         if "_" not in name:
             raise rows.error(
-                "the unit of a joint is not said.", f"Name the column {name}_deg, {name}_rad or {name}_mm.", column=name
+                "the unit of a joint is not said.",
+                f"Name the column {name}_deg, {name}_rad or {name}_mm.",
+                column=name,
+                family=WrongUnit,
             )
     units = tuple("mm" if name.endswith("_mm") else "rad" for name in names)
     return rows.numbers(*names, blank=False) * [to_internal(unit) for unit in units], units

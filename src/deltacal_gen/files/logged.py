@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import InputError, WrongUnit
 from deltacal_gen.instrument.sampled import at_rate, runs_of, several_at_once
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.states import TIME
@@ -58,7 +58,7 @@ def increasing(
     """
 
     def error(row: int, problem: str, remedy: str) -> InputError:
-        return InputError(problem, remedy, file=path, line=int(line[row]), column=TIME)
+        return WrongUnit(problem, remedy, file=path, line=int(line[row]), column=TIME)
 
     again = np.zeros(len(time), dtype=bool)
     for code, name in enumerate(names):

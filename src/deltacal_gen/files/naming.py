@@ -17,7 +17,7 @@ def naming(file: Path) -> Iterator[None]:
     except InputError as error:
         if error.file is not None:
             raise
-        raise InputError(error.problem, error.remedy, file=file, line=error.line, column=error.column) from None
+        raise type(error)(error.problem, error.remedy, file=file, line=error.line, column=error.column) from None
 
 
 def listed(names: Sequence[str], most: int) -> str:

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import PrinterFile
 from deltacal_gen.files.imported import Imported, recorded, write_import
 from deltacal_gen.files.naming import naming
 from deltacal_gen.files.robot import Robot, robot_from_dict
@@ -50,7 +50,7 @@ def map_recording(robot: Robot, nozzle: Array, z: Array, trigger: float, path: P
     q, _, status = mechanism.inverse(targets, robot.tool, mechanism.rows(robot))
     if (status != SOLVED).any():
         x, y = nozzle[np.argmax(status != SOLVED)]
-        raise InputError(
+        raise PrinterFile(
             f"the printer cannot stand at x = {x:.1f}, y = {y:.1f} mm of the map with the geometry beside it.",
             "Give the geometry that was in force when the map was probed; check arm length and radius.",
         )
@@ -108,7 +108,7 @@ def done(
 ) -> Imported:
     """Return what was imported, written into a folder where there is one; raise where nothing was measured."""
     if not recordings:
-        raise InputError(
+        raise PrinterFile(
             "there are neither heights, distances nor a bed mesh in the file.",
             "Run DELTA_CALIBRATE or BED_MESH_CALIBRATE and SAVE_CONFIG, and give the file again.",
         )

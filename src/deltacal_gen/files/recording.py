@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, TypedDict, Unpack
 
 import numpy as np
 
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import BadValue, ContradictingRows, InputError, MissingColumn, NoReadings, WrongKind
 from deltacal_gen.files.checks import check_home, check_repeats, impossible
 from deltacal_gen.files.columns import (
     DRIVE,
@@ -166,7 +166,7 @@ def recording_of_rows(
     run = [f"set-up '{setup_names[k]}'" for k in setup] if label is None else [f"run '{own}'" for own in label]
     recording = put_right(_with_vectors(recording), run, read=need_measured)
     if need_measured and not _is_measured(recording):
-        raise InputError("no row holds a reading.", f"Fill in {', '.join(recording.columns)}.", file=path)
+        raise NoReadings("no row holds a reading.", f"Fill in {', '.join(recording.columns)}.", file=path)
     return recording
 
 
@@ -177,7 +177,7 @@ def _with_vectors(recording: Recording) -> Recording:
         return dataclasses.replace(recording, measurement=measurement)
     at = [recording.columns.index(name) for name in ROTATION if name in recording.columns]
     if len(at) < len(ROTATION):
-        raise InputError(
+        raise BadValue(
             f'rotation = "{order}" says in which order the turns rx_deg, ry_deg, rz_deg are made, which are not all '
             "measured here.",
             "Leave the key out, or add the columns.",
@@ -261,6 +261,7 @@ def targets_of(rows: Rows, mechanism: Machine, rotation: str = "vector") -> tupl
             f"a position alone does not say how {mechanism.sort} shall stand.",
             "Add rx_deg, ry_deg, rz_deg (a rotation vector of the last frame in {O}), or give joints instead.",
             column=axes[0],
+            family=MissingColumn,
         )
     return targets, rows.without(axes)
 
@@ -274,6 +275,7 @@ def _joints(rows: Rows, mechanism: Machine) -> np.ndarray:
                 f"'{mechanism.name}' has the joints {', '.join(names)} only.",
                 "Rename or remove the column, or correct the mechanism in the robot file.",
                 column=name,
+                family=WrongKind,
             )
     return joints
 
@@ -302,6 +304,7 @@ def _kind(
             "distances lie between two points, but the rows hold one joint set each.",
             f"Add {name} with the columns pose_a, pose_b, distance_mm, or name the joints q1a_..., q1b_... here.",
             column="distance_mm",
+            family=MissingColumn,
         )
     if stated is not None:
         # a kind with more columns than another may be read as that one
@@ -311,12 +314,14 @@ def _kind(
                 f"the sidecar says kind = '{said}', but this column belongs to kind = '{other.name}'.",
                 f"Correct the sidecar, or give the columns {', '.join(columns[stated])}.",
                 column=next(name for name in columns[other] if name in rows.columns),
+                family=WrongKind,
             )
         return stated
     if len(present) > 1:
         raise rows.error(
             f"the columns hold readings of several kinds: {', '.join(kind.name for kind in present)}.",
             f"Say which to use: kind = '...' under [measurement] in {rows.path.with_suffix('.toml').name}.",
+            family=WrongKind,
         )
     if not present and need_measured and not paired:
         if (drive := next(filter(DRIVE.fullmatch, rows.columns), None)) is not None:
@@ -324,10 +329,12 @@ def _kind(
                 "this is what a drive gives, and the sidecar does not say that the recording is in motion.",
                 f"Write kind = '{TORQUE}' under [measurement] in {rows.path.with_suffix('.toml').name}.",
                 column=drive,
+                family=WrongKind,
             )
         raise rows.error(
             "no column holds a measured quantity.",
             f"Add one of: {'; '.join(', '.join(names) for names in columns.values())}.",
+            family=MissingColumn,
         )
     return next(iter(present), kind_of(PAIRS if paired else POINTS))
 
@@ -417,6 +424,7 @@ def _with_pairs(recording: Recording, pairs: Rows, rows: Rows, need_measured: bo
         "both ends of the distance have the same joints and measured point: a pose and its own repeat, which tell "
         "nothing of the machine.",
         "Remove the row.",
+        family=ContradictingRows,
     )
     return dataclasses.replace(recording, pairs=indices, pair_measured=measured, pair_line=pairs.line)
 
@@ -430,6 +438,7 @@ def _named_pairs(recording: Recording, pairs: Rows, rows: Rows) -> np.ndarray:
         lambda k: f"pose '{poses[k]}' stands in line {rows.line[first[poses[k]]]} too, but distances name rows by it.",
         "Give every row a pose of its own.",
         column="pose",
+        family=ContradictingRows,
     )
     pairs.require("pose_a", "pose_b")
     a, b = pairs.columns["pose_a"], pairs.columns["pose_b"]
@@ -437,7 +446,13 @@ def _named_pairs(recording: Recording, pairs: Rows, rows: Rows) -> np.ndarray:
         lost = np.array([label not in first for label in cells])
         problem = f"{Path(recording.path).name} has no pose '{cells[int(np.argmax(lost))]}'."
         pairs.refuse(lost, problem, "Correct the name or remove the row.", column=name)
-    pairs.refuse(np.array(a) == np.array(b), "the pose is paired with itself.", "Name two poses.", column="pose_b")
+    pairs.refuse(
+        np.array(a) == np.array(b),
+        "the pose is paired with itself.",
+        "Name two poses.",
+        column="pose_b",
+        family=ContradictingRows,
+    )
     return np.array([[first[label] for label in cells] for cells in (a, b)]).T
 
 

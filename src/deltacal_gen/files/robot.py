@@ -23,7 +23,7 @@ from pydantic import (
     create_model,
 )
 
-from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.errors import FileFormat, UnknownModel, UsageError, WrongUnit
 from deltacal_gen.files.toml import NonNegative, Number, Positive, Raw, Table, TomlFile, Vector, table_of, toml_text
 from deltacal_gen.machine.values import Link, Masses, Robot, Transmission, Workspace
 from deltacal_gen.results.parts import Named, RobotTables
@@ -107,7 +107,7 @@ def read_robot(path: str | Path, *, load: Loader | None = None) -> Robot:
         The file cannot be used; the message names file, line, key and remedy.
     """
     if Path(path).suffix.lower() in TABLES:
-        raise InputError("this is a table, where a robot file is wanted.", "Give the robot first (TOML).", file=path)
+        raise FileFormat("this is a table, where a robot file is wanted.", "Give the robot first (TOML).", file=path)
     return _robot(TomlFile.read(path), load)
 
 
@@ -201,7 +201,7 @@ def for_names(robot: Robot, names: Iterable[str]) -> Robot:
 def _described(robot: Robot, what: str, fits: Callable[[Machine], bool]) -> Robot:
     other = _variant(_registered(robot.mechanism, robot.links), fits)
     if foreign := sorted(name for name, value in robot.errors.items() if value and name not in other.index):
-        raise UsageError(
+        raise UnknownModel(
             f"{what}: {other.name} has no {foreign[0]}, which the robot file names; errors of two kinds mix."
         )
     errors, tolerance = (
@@ -457,6 +457,7 @@ def _check_length(file: TomlFile, largest: float, what: tuple[str, str], shortes
             f"the {what[0]} look like {unit} (the largest is {what[1]}); the file is in millimetres.",
             f"{factor} 1000.",
             *keys,
+            family=WrongUnit,
         )
 
 
@@ -470,6 +471,7 @@ def _check_directions(file: TomlFile, mechanism: Machine, tables: Mapping[str, M
                 "Multiply by 180 / pi.",
                 key.table,
                 key.key,
+                family=WrongUnit,
             )
 
 
@@ -483,6 +485,7 @@ def _check_chain(file: TomlFile, joints: Sequence[_Joint]) -> None:
             f"the angles in [[joint]] look like radians ({angles[right][0]:g} is among them); the file is in degrees.",
             "Multiply alpha and theta by 180 / pi.",
             "joint",
+            family=WrongUnit,
         )
     longest = max(max(abs(joint.a), abs(joint.d)) for joint in joints)
     slides = any(joint.kind == "prismatic" for joint in joints)

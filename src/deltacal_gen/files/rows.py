@@ -9,10 +9,19 @@ import itertools
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import (
+    BadCell,
+    BlankCell,
+    FileFormat,
+    FileNotReadable,
+    InputError,
+    MissingColumn,
+    MissingLibrary,
+)
 from deltacal_gen.files.columns import RESERVED, is_channel
 from deltacal_gen.files.dialect import (
     LABELS,
@@ -52,19 +61,25 @@ class Rows:
     sheet: str = ""
     """Of a workbook that has several."""
 
-    def error(self, problem: str, remedy: str, *, row: int | None = None, column: str | None = None) -> InputError:
+    def error(
+        self,
+        problem: str,
+        remedy: str,
+        *,
+        row: int | None = None,
+        column: str | None = None,
+        family: type[InputError] = BadCell,
+    ) -> InputError:
         """Return the error that names file, line (that of the header without a row) and column."""
         line = self.header_line if row is None else int(self.line[row])
         problem = f"in the sheet '{self.sheet}': {problem}" if self.sheet else problem
-        return InputError(problem, remedy, file=self.path, line=line, column=column)
+        return family(problem, remedy, file=self.path, line=line, column=column)
 
-    def refuse(
-        self, rows: np.ndarray, problem: str | Callable[[int], str], remedy: str, *, column: str | None = None
-    ) -> None:
+    def refuse(self, rows: np.ndarray, problem: str | Callable[[int], str], remedy: str, **how: Any) -> None:
         """Raise for the first of the rows (N,) that are marked, if there is one."""
         if rows.any():
             row = int(np.argmax(rows))
-            raise self.error(problem if isinstance(problem, str) else problem(row), remedy, row=row, column=column)
+            raise self.error(problem if isinstance(problem, str) else problem(row), remedy, row=row, **how)
 
     def subset(self, kept: np.ndarray) -> Rows:
         """Return the rows (N,) that are marked."""
@@ -90,7 +105,7 @@ class Rows:
             remedy = f"Rename it to '{name}' and give it{unit}." if close else f"Add it{unit}, or correct the header."
             if not close and others:
                 remedy += f" Other columns are {listed(others, SHOWN)}."
-            raise self.error(problem, remedy, column=name)
+            raise self.error(problem, remedy, column=name, family=MissingColumn)
 
     def filled(self, name: str, value: float, beside: str) -> Rows:
         """Return the rows with a value in blank cells of a column, or of one not there, where those beside are full."""
@@ -103,7 +118,7 @@ class Rows:
         """Return a column of names, None where there is none; a blank one is named after its line, or raises."""
         cells = self.columns.get(name)
         if cells is not None and not blank and "" in cells:
-            raise self.error("the cell is blank.", "Fill it in.", row=cells.index(""), column=name)
+            raise self.error("the cell is blank.", "Fill it in.", row=cells.index(""), column=name, family=BlankCell)
         return cells and [cell or f"line {line}" for cell, line in zip(cells, self.line, strict=True)]
 
     def numbers(self, *names: str, blank: bool = True) -> np.ndarray:
@@ -117,8 +132,10 @@ class Rows:
             name = names[int(np.argmax(gaps[row]))]
             if blank:
                 rest = f"the cell is blank, but other cells of {', '.join(names)} are not."
-                raise self.error(rest, "Fill it in, or blank them all.", row=row, column=name)
-            raise self.error("the cell is blank.", "Fill it in, or remove the row.", row=row, column=name)
+                raise self.error(rest, "Fill it in, or blank them all.", row=row, column=name, family=BlankCell)
+            raise self.error(
+                "the cell is blank.", "Fill it in, or remove the row.", row=row, column=name, family=BlankCell
+            )
         return values
 
     def each(self, *names: str) -> np.ndarray:
@@ -177,12 +194,12 @@ def read_table(path: Path, vocabulary: Vocabulary = RECORDED) -> Rows:
             return _read_parquet(path) if path.suffix.lower() == PARQUET else _read_workbook(path, vocabulary)
         except ImportError as error:
             library, extra = ("pyarrow", "parquet") if path.suffix.lower() == PARQUET else ("openpyxl", "xlsx")
-            raise InputError(
+            raise MissingLibrary(
                 f"reading it needs {library}, which is not installed ({error}).",
                 f"Install it (pip install 'deltacal_gen[{extra}]'), or save the table as CSV.",
             ) from None
         except OSError as error:
-            raise InputError(f"the file cannot be read: {error.strerror or error}.", "Check the path.") from None
+            raise FileNotReadable(f"the file cannot be read: {error.strerror or error}.", "Check the path.") from None
 
 
 def read_csv(path: Path, first: int | None = None, vocabulary: Vocabulary = RECORDED) -> Rows:
@@ -192,7 +209,7 @@ def read_csv(path: Path, first: int | None = None, vocabulary: Vocabulary = RECO
     remarks = [(n, line) for n, line in numbered[:LOOKED_AT] if line.startswith(vocabulary.remarks)]
     with naming(path):
         if not lines:
-            raise InputError("the file is empty.", "Give a header and one row per reading.")
+            raise FileFormat("the file is empty.", "Give a header and one row per reading.")
         lines = with_header(lines, remarks, vocabulary)
         table: list[list[str]] = []
         numbers = [0]  # of the lines in which rows end
@@ -206,7 +223,7 @@ def read_csv(path: Path, first: int | None = None, vocabulary: Vocabulary = RECO
                 numbers.append(lines[reader.line_num - 1][0])
         except csv.Error as error:
             begins = next(n for n, _ in lines if n > numbers[-1])
-            raise InputError(f"this is not CSV: {error}.", "Correct the quotes.", line=begins) from None
+            raise FileFormat(f"this is not CSV: {error}.", "Correct the quotes.", line=begins) from None
         return _of_cells(path, table, numbers[1:], layout, vocabulary, before)
 
 
@@ -231,11 +248,11 @@ def _of_cells(
     for cells, line in zip(table, numbers, strict=True):
         if len(cells) != len(header):
             comma = " Decimals need a point, not a comma." if len(cells) > len(header) else ""
-            raise InputError(
+            raise FileFormat(
                 f"the row has {len(cells)} cells, the header {len(header)}.", f"Correct the row.{comma}", line=line
             )
     if not table:
-        raise InputError("there is a header but no row.", "Add one row per reading.", line=header_line)
+        raise FileFormat("there is a header but no row.", "Add one row per reading.", line=header_line)
     columns = {name: [cells[k] for cells in table] for k, name in enumerate(header)}
     if layout.separator != "," or layout.decimal != ".":
         columns = {
@@ -255,7 +272,7 @@ def typed_rows(path: Path, header: Sequence[str], cells: Sequence[list[str]], co
     """
     with naming(path):
         if not count:
-            raise InputError("there is no row.", "Add one row per reading.")
+            raise FileFormat("there is no row.", "Add one row per reading.")
         _check_header(header, None)
     names, scales = named(header, [""] * len(header))
     return Rows(path, in_seconds(dict(zip(names, cells, strict=True))), np.arange(1, count + 1), None, scales)
@@ -280,14 +297,14 @@ def _read_workbook(path: Path, vocabulary: Vocabulary) -> Rows:
     except OSError:
         raise
     except Exception as error:  # of a library that lets through whatever is wrong inside the archive
-        raise InputError(f"this is no workbook: {type(error).__name__}.", "Save it again as .xlsx.") from None
+        raise FileFormat(f"this is no workbook: {type(error).__name__}.", "Save it again as .xlsx.") from None
     tables = {}
     for title, sheet in sheets.items():
         kept = [(n, _trimmed(row)) for n, row in enumerate(sheet, start=1) if any(row) and not row[0].startswith("#")]
         if kept:
             tables[title] = kept, [(n, "\t".join(cell.replace("\t", " ") for cell in row)) for n, row in kept]
     if not tables:
-        raise InputError("no sheet holds a table.", "Give a header and one row per reading.")
+        raise FileFormat("no sheet holds a table.", "Give a header and one row per reading.")
     title = next((own for own, (_, lines) in tables.items() if vocabulary.beginning(lines)), next(iter(tables)))
     kept, lines = tables[title]
     layout = dataclasses.replace(layout_of(lines, vocabulary), separator="\t")
@@ -319,16 +336,16 @@ def _read_parquet(path: Path) -> Rows:
         cells = [list(map(_text_of, column.to_pylist())) for column in table.columns]
     except (OSError, ValueError, pa.ArrowException) as error:
         reason = str(error).splitlines()[0] if str(error) else type(error).__name__
-        raise InputError(f"this is not a readable Parquet file: {reason}.", "Save it again.") from None
+        raise FileFormat(f"this is not a readable Parquet file: {reason}.", "Save it again.") from None
     return typed_rows(path, table.schema.names, cells, table.num_rows)
 
 
 def _check_header(header: Sequence[str], line: int | None) -> None:
     for k, name in enumerate(header):
         if not name:
-            raise InputError(f"column {k + 1} has no name.", "Name it, or remove the comma too many.", line=line)
+            raise MissingColumn(f"column {k + 1} has no name.", "Name it, or remove the comma too many.", line=line)
         if name in header[:k]:
-            raise InputError(
+            raise MissingColumn(
                 f"the name stands over columns {header.index(name) + 1} and {k + 1}.",
                 "Rename or remove one of them.",
                 line=line,

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import ClockMismatch
 from deltacal_gen.files.imported import Imported, recorded
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.values import POSITION, ROTATION, Robot
@@ -89,7 +89,7 @@ def join(joints: Samples, readings: Samples, *, moving: bool, path: Path) -> Joi
         exact = np.isin(readings.time, joints.time)
         inside &= beside | exact
     if not inside.any():
-        raise InputError(
+        raise ClockMismatch(
             f"no reading of {readings.name} was taken while {joints.name} was logged.",
             "Give names whose clocks are the same, or say by how much they differ (--offset).",
             file=path,

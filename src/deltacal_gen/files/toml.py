@@ -16,7 +16,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError, create_model
 from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails
 
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import BadValue, FileFormat, FileNotReadable, InputError, MissingKey, UnknownKey
 
 
 class Table(BaseModel):
@@ -54,18 +54,18 @@ class TomlFile:
         except (ValueError, RecursionError) as error:
             line = re.search(r" \(at line (\d+), column \d+\)", str(error))
             problem = str(error).replace(line[0], "") if line else str(error)
-            raise InputError(
+            raise FileFormat(
                 f"this is not TOML: {problem}.",
                 "Correct the line; strings need quotes and decimals a point.",
                 file=path,
                 line=int(line[1]) if line else None,
             ) from None
 
-    def error(self, problem: str, remedy: str, *keys: str) -> InputError:
+    def error(self, problem: str, remedy: str, *keys: str, family: type[InputError] = BadValue) -> InputError:
         """InputError at the line of a key, or of its table where the key itself is not there."""
         lines = _toml_lines(self.text)
         found = (lines[keys[:n]] for n in range(len(keys), 0, -1) if keys[:n] in lines)
-        return InputError(problem, remedy, file=self.path, line=next(found, None))
+        return family(problem, remedy, file=self.path, line=next(found, None))
 
     def check(self, schema: type[_Schema]) -> _Schema:
         """Return the data as `schema`; raise InputError for the first flaw."""
@@ -85,11 +85,13 @@ class TomlFile:
             remedy = f"Did you mean '{close}'?" if close else f"Known here: {', '.join(fields) or 'nothing'}."
             if elsewhere := [name for name in schema.model_fields if key in _fields(schema, [name])]:
                 remedy = f"It belongs to {' or '.join(f'[{name}]' for name in elsewhere)}."
-            return self.error(f"'{key}'{where} is not known.", remedy, *keys)
+            return self.error(f"'{key}'{where} is not known.", remedy, *keys, family=UnknownKey)
         if flaw["type"] == "missing":
             meaning = fields[key].description if key in fields else None
             what = f"'{key}'{where}" if tables else f"the table [{key}]"
-            return self.error(f"{what} is missing.", f"Add it{f': {meaning}' if meaning else ''}.", *keys)
+            return self.error(
+                f"{what} is missing.", f"Add it{f': {meaning}' if meaning else ''}.", *keys, family=MissingKey
+            )
         entry = "".join(f", entry {n + 1}" for n in flaw["loc"] if isinstance(n, int))
         expected = _EXPECTED[flaw["type"]].format(**flaw.get("ctx", {})) if flaw["type"] in _EXPECTED else flaw["msg"]
         found = repr(flaw["input"])
@@ -193,7 +195,7 @@ def read_bytes(path: Path) -> bytes:
     try:
         return path.read_bytes()
     except OSError as error:
-        raise InputError(
+        raise FileNotReadable(
             f"the file cannot be read: {error.strerror}.", "Check the path and the permissions.", file=path
         ) from None
 
@@ -204,7 +206,7 @@ def read_text(path: Path) -> str:
     try:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        raise InputError(
+        raise FileFormat(
             f"byte {error.start + 1} is not UTF-8 text.",
             "Save the file as text in UTF-8.",
             file=path,

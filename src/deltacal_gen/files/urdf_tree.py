@@ -15,7 +15,7 @@ from xml.parsers import expat
 
 import numpy as np
 
-from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.errors import FileFormat, InputError, UnknownName, UnusableURDF
 from deltacal_gen.files.naming import listed
 from deltacal_gen.files.rows import number_of
 from deltacal_gen.files.toml import nearest, read_bytes
@@ -39,7 +39,7 @@ class Placed:
 
     def error(self, problem: str, remedy: str) -> InputError:
         """Return an error at its line."""
-        return InputError(problem, remedy, line=self.line)
+        return UnusableURDF(problem, remedy, line=self.line)
 
 
 @dataclass(frozen=True)
@@ -227,7 +227,7 @@ class Tree:
         if link not in self.bodies:
             close = nearest(link, self.bodies)
             hint = f"did you mean '{close}'?" if close else f"it has {listed([*self.bodies], LISTED)}."
-            raise UsageError(f"{option}: {self.path} has no link '{link}'; {hint}")
+            raise UnknownName(f"{option}: {self.path} has no link '{link}'; {hint}")
 
     def _hang(self, joint: Joint) -> None:
         for what, link in (("parent", joint.parent), ("child", joint.child)):
@@ -305,7 +305,7 @@ def _parsed(path: Path) -> Tag:
 
     def refuse(*_: object) -> None:
         problem = "the file has a document type (<!DOCTYPE ...>), which URDF has not."
-        raise InputError(problem, "Take it out, and entities with it.", line=parser.CurrentLineNumber)
+        raise UnusableURDF(problem, "Take it out, and entities with it.", line=parser.CurrentLineNumber)
 
     parser.StartElementHandler, parser.EndElementHandler = begin, lambda _: open_.pop()
     parser.StartDoctypeDeclHandler = refuse
@@ -313,9 +313,9 @@ def _parsed(path: Path) -> Tag:
         parser.Parse(read_bytes(path), True)
     except expat.ExpatError as error:
         problem = f"this is not XML: {expat.ErrorString(error.code)}."
-        raise InputError(problem, "Correct the line.", line=error.lineno) from None
+        raise UnusableURDF(problem, "Correct the line.", line=error.lineno) from None
     except (ValueError, LookupError) as error:
-        raise InputError(f"this is not XML: {error}.", "Save it in UTF-8.") from None
+        raise FileFormat(f"this is not XML: {error}.", "Save it in UTF-8.") from None
     root = top.inside[0]
     if root.name != "robot":
         what = SPOKEN.get(root.name, f"<{root.name}>")

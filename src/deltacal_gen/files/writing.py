@@ -17,7 +17,7 @@ from typing import SupportsFloat
 
 import numpy as np
 
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import FileNotWritable, OutputName
 from deltacal_gen.files.columns import ONE_SETUP, TOOL, Column, Columns, distances_path
 from deltacal_gen.files.rows import PARQUET
 from deltacal_gen.files.sidecar import sidecar_text
@@ -38,14 +38,14 @@ def write_recording(recording: Recording, path: str | Path) -> None:
     """
     path = Path(path)
     if path.suffix.lower() == PARQUET:
-        raise InputError("recordings are written as CSV.", "Choose a name that ends with .csv.", file=path)
+        raise OutputName("recordings are written as CSV.", "Choose a name that ends with .csv.", file=path)
     distances = distances_path(path)
     columns, pair_columns = file_columns(recording)
     files = {path.with_suffix(".toml"): sidecar_text(recording)}
     if pair_columns:
         files[distances] = csv_text(pair_columns)
     elif distances.exists():
-        raise InputError(
+        raise OutputName(
             f"the file is in the way: it would be read as the distances of {path.name}.",
             "Remove it, or choose another name for the recording.",
             file=distances,
@@ -137,7 +137,7 @@ def staging(paths: Iterable[Path]) -> Iterator[dict[Path, Path]]:
                 os.replace(part, path.resolve())
     except OSError as error:
         at = next((path for path, part in parts.items() if str(part) == error.filename), path)
-        raise InputError(
+        raise FileNotWritable(
             f"the file cannot be written: {error.strerror or error}.",
             "Check the folder and the space on the disk.",
             file=at,

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from deltacal_gen.errors import InputError, NoSolutionError
+from deltacal_gen.errors import MissingKey, NoPlan
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.inference.projection import basis, project_out
 from deltacal_gen.machine.registry import SOLVED, Array, mechanism_of
@@ -34,7 +34,7 @@ def workspace_of(robot: Robot) -> Workspace:
             shape, keys = "cylinder", "top, radius and height"
         else:
             shape, keys = ("rectangle", "top, width and height") if mechanism.limbs > 1 else ("stroke", "width")
-        raise InputError(
+        raise MissingKey(
             f"the robot file has no [workspace] with {keys}.",
             f"Add the {shape} in which the machine works.",
             file=robot.source,
@@ -106,7 +106,7 @@ def joint_spread(robot: Robot, count: int) -> Array:
     limits = robot.joint_limits
     if limits is None:
         if "mm" in mechanism.joint_units:
-            raise InputError(
+            raise MissingKey(
                 "a plan needs to know how far the sliding joints move.",
                 "Add limits to [joints] in the robot file.",
                 file=robot.source,
@@ -122,7 +122,7 @@ def joint_spread(robot: Robot, count: int) -> Array:
         joints = joints[robot.workspace.holds(x[:, :3])]
         if len(joints) >= count:
             return joints[:count]
-    raise NoSolutionError(
+    raise NoPlan(
         f"only {len(joints)} of {many * count} joints spread over their limits lead into the workspace. "
         "Check [workspace] and the limits of the joints."
     )

@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from deltacal_gen.errors import InputError, NoSolutionError
+from deltacal_gen.errors import InputError, MissingChannel, NoSolutionError
 from deltacal_gen.estimation.fit import fit, held_out_errors
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
@@ -62,7 +62,7 @@ def usable(problem: Problem, held: Sequence[Term]) -> tuple[tuple[Term, ...], tu
         elif of_reading([term]) or any(s.column == TIME for s in term.states):
             cannot.append(Missing(name=term.effect, missing=why))
         else:
-            raise InputError(f"the effect '{term.effect}' needs {why}.", "Add it.", file=problem.recording.path)
+            raise MissingChannel(f"the effect '{term.effect}' needs {why}.", "Add it.", file=problem.recording.path)
     return tuple(can), tuple(cannot)
 
 

@@ -7,7 +7,16 @@ import math
 
 import numpy as np
 
-from deltacal_gen.errors import InputError, NoSolutionError, UsageError
+from deltacal_gen.errors import (
+    ConstantReadings,
+    ContradictingRows,
+    ImplausibleReadings,
+    InputError,
+    MisreadReadings,
+    NoSolutionError,
+    OptionNotApplicable,
+    TooFewReadings,
+)
 from deltacal_gen.estimation.fit import SPARE_READINGS, fit, rough
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.prior import unsaid
@@ -59,7 +68,7 @@ def chosen_model(mechanism: Machine, problem: Problem, recording: Recording, ask
     extra = problem.begin(problem.reference).n_unknown
     if problem.readings.kind.sees_joints:
         if asked is not None and mechanism.full_name(asked) != mechanism.rigid_model:
-            raise UsageError(f"readings of joints see no source error of {asked}; leave the model out.")
+            raise OptionNotApplicable(f"readings of joints see no source error of {asked}; leave the model out.")
         _check_count(recording, mechanism, scalars, 0, extra, mechanism.rigid_model, SPARE_READINGS)
         return mechanism.rigid_model
     shown = {mechanism.parameters[p].name for p in problem.readings.kind.carried(mechanism).values()}
@@ -115,7 +124,7 @@ def _check_count(
         return
     of_instrument = f" and {extra} of the instrument" if extra else ""
     shows = f", and noise shows in no fewer than {spare} more" if spare else ""
-    raise InputError(
+    raise TooFewReadings(
         f"the recording holds {scalars} independent scalar readings; {model} has {parameters} "
         f"parameters{of_instrument}{shows}: {needed} are needed.",
         _more_poses(mechanism, parameters),
@@ -127,7 +136,7 @@ def distinct(problem: Problem, recording: Recording) -> None:
     """Raise an InputError where the readings come from fewer than three different poses."""
     used = np.unique(problem.readings.rows)
     if len(np.unique(np.round(problem.body.q[used], 9), axis=0)) < 3:
-        raise InputError(
+        raise TooFewReadings(
             "the readings come from fewer than three different poses.",
             "Measure poses spread over the workspace: deltacal plan proposes them.",
             file=recording.path,
@@ -145,7 +154,7 @@ def enough_poses(problem: Problem, model: str) -> None:
     needed = len(problem.names) + extra + SPARE_READINGS
     if scalars < needed:
         of_instrument = f" and {extra} of the instrument" if extra else ""
-        raise InputError(
+        raise TooFewReadings(
             f"the readings come from {poses} different poses: {scalars} scalars, each counted once, where {model} has "
             f"{len(problem.names)} parameters{of_instrument}. The recording is too short to split: repeats show noise, "
             "not what is missing.",
@@ -189,7 +198,7 @@ def plausible(first: Fit) -> None:
     _all_the_same(problem)
     mistakes = tried(problem, off)
     if words := [said for left, said in mistakes if left < EXPLAINED]:
-        raise InputError(
+        raise MisreadReadings(
             f"the readings are {off:.3g} mm off this machine, but agree with it if {', or if '.join(words)}.",
             "Correct the recording, its sidecar or the robot file.",
             file=problem.recording.path,
@@ -198,7 +207,7 @@ def plausible(first: Fit) -> None:
     _stood_still(problem)
     _joints_stood_still(first)
     if off > NONSENSE * spread:
-        raise InputError(
+        raise ImplausibleReadings(
             f"the readings are {off:.3g} mm off this machine, {off / spread:.0%} of what its poses spread over: more "
             f"than any error of its parts.{_nearer(mistakes, off, spread)}",
             "Compare the robot file with the machine (of a chain also whether its table is standard or modified), and "
@@ -229,7 +238,7 @@ def _all_the_same(problem: Problem) -> None:
         or np.nanstd(found.values) > 0
     ):
         return
-    raise InputError(
+    raise ConstantReadings(
         "all readings are the same, as of a surface that was followed: a machine folded flat onto it would fit "
         "them without any error, so that their noise cannot be told from them.",
         "Say under [measurement] in the sidecar how well the surface was followed, sigma_mm.",
@@ -279,7 +288,7 @@ def _stood_still(problem: Problem) -> None:
         return
     start = int(np.argmax(again))
     end = start + int(np.argmin(np.append(again[start:], False)))
-    raise InputError(
+    raise ConstantReadings(
         f"{again.sum()} readings are the one before in every number, though joints moved (the first in lines "
         f"{found.line[start]} to {found.line[end]}): the instrument had lost its target, or stood still.",
         "Leave their measured cells blank.",
@@ -296,7 +305,7 @@ def _joints_stood_still(first: Fit) -> None:
     points, read = first.machine.x[found.rows[:, 0], :3], found.values[:, :3]
     moved, seen = (_spread_within(found.setup, each) for each in (points, read))
     if moved < NONSENSE * seen:
-        raise InputError(
+        raise ImplausibleReadings(
             f"the readings spread over {seen:.3g} mm, yet at the joints beside them the machine moves by no more than "
             f"{moved:.2g} mm: these are not the joints at which it was read.",
             "Log the joints of this machine anew at every reading.",
@@ -319,7 +328,7 @@ def _read_at_all(first: Fit, off: float) -> None:
         return  # heights, lengths and leans may be alike at all poses: what the poses spread over is what counts
     spread = first.instrument.scale * float(np.linalg.norm(np.nanstd(found.values, axis=0)))
     if off > NOTHING * spread > 0:
-        raise InputError(
+        raise ImplausibleReadings(
             f"the machine explains next to nothing of what was seen: it leaves {off / spread:.0%} of what the images "
             "differ by.",
             "Compare joints and images, row by row, and the camera in the sidecar.",
@@ -363,13 +372,13 @@ def _zeros(first: Fit) -> None:
     if not far:
         return
     if unit := [words for words, again in in_other_units(first) if not _elsewhere(again)]:
-        raise InputError(
+        raise MisreadReadings(
             f"the readings agree with this machine if {', or if '.join(unit)}.",
             "Correct the recording or its sidecar.",
             file=problem.recording.path,
         )
     zeros = ", ".join(f"{kinds[k].name} = {first.errors[k] / DEG:.0f}" for k in far)
-    raise InputError(
+    raise MisreadReadings(
         f"the readings want {zeros} deg of this machine: the zero of a joint is elsewhere.",
         f"Correct the joints of the recording, or say it in the robot file: [errors] {zeros.replace(', ', ' and ')}.",
         file=problem.recording.path,
@@ -388,7 +397,7 @@ def _of_these_joints(first: Fit, off: float) -> None:
     way = np.array([np.ptp(joints[found.rows[found.setup == j, 0], j]) for j in np.unique(found.setup)])
     spread = first.instrument.scale * float(np.median(way))
     if off > NONSENSE * spread:
-        raise InputError(
+        raise MisreadReadings(
             f"the encoders are {off / spread:.0%} of the joints' way off what the joints say.",
             "Compare the columns, row by row: q1 and enc1 are of one joint, at one moment, and count in one sense.",
             file=first.problem.recording.path,
@@ -507,7 +516,7 @@ def check_rows(first: Fit, recording: Recording) -> None:
         j = int(np.argmin(gap[i]))
         if i < j and gap[i, j] < within and gap[j, i] < within and min(gap[i, i], gap[j, j]) > 10 * within:
             a, b = sorted(int(found.line[suspects[k]]) for k in (i, j))
-            raise InputError(
+            raise ContradictingRows(
                 f"the readings of lines {a} and {b} are swapped: each fits the joints of the other to "
                 f"{max(gap[i, j], gap[j, i]):.3g} mm and its own only to {min(gap[i, i], gap[j, j]):.3g} mm.",
                 "Exchange the measured cells of the two lines.",

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from deltacal_gen.errors import UsageError
+from deltacal_gen.errors import UnknownName
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.inference.projection import basis, project_out
@@ -119,7 +119,7 @@ def column_convention(robot: Robot, names: Sequence[str], convention: str) -> tu
         An unknown convention.
     """
     if convention not in CONVENTIONS:
-        raise UsageError(f"there is no scaling '{convention}'; known: {', '.join(CONVENTIONS)}.")
+        raise UnknownName(f"there is no scaling '{convention}'; known: {', '.join(CONVENTIONS)}.")
     mechanism = mechanism_of(robot)
     columns = [mechanism.index[n] for n in names]
     units = [mechanism.parameters[j].unit for j in columns]

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.errors import OtherMachine, UnknownName
 from deltacal_gen.estimation.fit import fit, held_out, rough
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.prior import with_prior
@@ -262,7 +262,7 @@ def _remedies(final: Fit, absorbed: int | None) -> tuple[Remedy, ...]:
 def _left_out(mechanism: Machine, robot: Robot, machine: Robot, names: Sequence[str]) -> dict[str, float]:
     """Return a robot's source errors with those that a model leaves out as another session of the machine has them."""
     if machine.mechanism != robot.mechanism:
-        raise InputError(
+        raise OtherMachine(
             f"the diagnosis is of another machine: {machine.mechanism}, where the robot file says {robot.mechanism}.",
             "Give the diagnosis of an earlier session of this machine.",
         )
@@ -311,7 +311,7 @@ def _solver(name: str | Solver, truncation: int | str, sigma: float | None) -> S
         "ridge": Ridge,
     }
     if name not in solvers:
-        raise UsageError(f"there is no solver '{name}'; known: {', '.join(solvers)}.")
+        raise UnknownName(f"there is no solver '{name}'; known: {', '.join(solvers)}.")
     return solvers[name]()
 
 

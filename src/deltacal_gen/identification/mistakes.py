@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from deltacal_gen.errors import InputError, NoSolutionError
+from deltacal_gen.errors import InputError, MisreadReadings, NoSolutionError
 from deltacal_gen.estimation.fit import fit, rough
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.prior import unsaid
@@ -221,7 +221,7 @@ def turns_alike(first: Fit) -> None:
         least, what, _, remedy = tried[0]
         near = dict.fromkeys(words for left, its, words, _ in tried if left <= AS_NEAR * least and its == what)
         told = ", or ".join(near)
-        raise InputError(
+        raise MisreadReadings(
             f"rx_deg, ry_deg, rz_deg are {what}: from pose to pose they turn otherwise than the machine, by "
             f"{off / DEG:.2g} deg. {told[0].upper()}{told[1:]}, it is {least / DEG:.2g} deg.",
             remedy,

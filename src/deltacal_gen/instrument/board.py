@@ -18,7 +18,7 @@ from pathlib import Path
 
 import numpy as np
 
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import TooFewReadings
 from deltacal_gen.instrument.kind import Instrument, Readings
 from deltacal_gen.machine.registry import Array
 
@@ -59,7 +59,7 @@ def first(found: Readings, poses: Array, lens: Array, rides: bool, path: Path | 
         if len(own) >= FEWEST and (H := homography(found.known[own], found.values[own] - guess[2:4])) is not None:
             views.append((own[0], H))
     if len(views) < IMAGES:
-        raise InputError(
+        raise TooFewReadings(
             f"{len(views)} images show {FEWEST} points or more of the board: at least {IMAGES} are needed to begin.",
             "Label the rows of one image with the same pose, and give more points of it.",
             file=path,

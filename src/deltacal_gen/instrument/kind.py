@@ -17,7 +17,7 @@ from functools import cached_property
 
 import numpy as np
 
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import NoReadings
 from deltacal_gen.instrument.facts import Facts
 from deltacal_gen.machine.registry import Array, Machine
 from deltacal_gen.machine.rotation import to_vector
@@ -115,7 +115,7 @@ class Readings:
     def some(self, recording: Recording) -> Readings:
         """Return the readings; raise an InputError where there are none."""
         if len(self) == 0:
-            raise InputError(
+            raise NoReadings(
                 "every measured cell is blank, so there is nothing to fit.",
                 "Fill the measured columns, or use predict to compute them.",
                 file=recording.path,

@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from deltacal_gen.errors import UsageError
+from deltacal_gen.errors import NotForThisMachine, OptionNotApplicable
 from deltacal_gen.machine.answers import Loads, Sensitivity, filled, result
 from deltacal_gen.machine.flexible import DEFLECTIONS, NO_LINE, Flexible
 from deltacal_gen.machine.machine import (
@@ -185,7 +185,7 @@ class Chain(Machine):
 
     def scaling(self, convention: str, robot: Robot, names: object) -> Array:
         """Raise UsageError: no paper gives the columns of a chain another scale."""
-        raise UsageError(f"{self.name} has no scaling '{convention}'; leave it out.")
+        raise OptionNotApplicable(f"{self.name} has no scaling '{convention}'; leave it out.")
 
     def rows(self, robot: Robot, errors: Array | None = None, deflections: Array | None = None) -> Array:
         """Return the links' rows of parameters, (M, links, n): geometry, errors, those of the tool, deflections."""
@@ -432,7 +432,7 @@ class Chain(Machine):
         self, x: Array, q: Array, tool: Array, rows: Array, *, out: Sequence[Array] | None = None
     ) -> tuple[Array, Array, Array, Array]:
         """Raise UsageError: a chain's closure is its forward position; see `sensitivity`."""
-        raise UsageError("an open chain has no loops to close; its derivatives are those of `sensitivity`.")
+        raise NotForThisMachine("an open chain has no loops to close; its derivatives are those of `sensitivity`.")
 
     def sensitivity(
         self, x: Array, q: Array, tool: Array, rows: Array, *, out: tuple[Array, Array] | None = None

@@ -11,7 +11,7 @@ from types import ModuleType
 
 import numpy as np
 
-from deltacal_gen.errors import UsageError
+from deltacal_gen.errors import NotForThisMachine, WrongArray
 from deltacal_gen.machine.chain import Chain
 from deltacal_gen.machine.limbs import Limbs
 from deltacal_gen.machine.machine import COORDINATES
@@ -132,7 +132,7 @@ class Dynamics(ABC):
     def _checked(self, motion: Array) -> Array:
         motion = np.ascontiguousarray(motion, dtype=float)
         if motion.ndim != 3 or motion.shape[0] != 3 or motion.shape[2] != self.joints:
-            raise UsageError(f"the motion has the shape {motion.shape}; (3, N, {self.joints}) was expected.")
+            raise WrongArray(f"the motion has the shape {motion.shape}; (3, N, {self.joints}) was expected.")
         return motion
 
 
@@ -353,7 +353,7 @@ def dynamics_of(robot: Robot) -> Dynamics:
     """
     machine = mechanism_of(robot)
     if not _found(machine.name):
-        raise UsageError(f"the dynamics of {machine.name} are not derived; those of {', '.join(known())} are.")
+        raise NotForThisMachine(f"the dynamics of {machine.name} are not derived; those of {', '.join(known())} are.")
     if isinstance(machine, Chain):
         return ChainDynamics(robot, machine)
     assert isinstance(machine, Limbs)

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from deltacal_gen.errors import UsageError
+from deltacal_gen.errors import OptionNotApplicable
 from deltacal_gen.machine.answers import Loads, Sensitivity, filled, result
 from deltacal_gen.machine.backend import RowFunctions, row_functions
 from deltacal_gen.machine.machine import (
@@ -90,7 +90,7 @@ class Limbs(Machine):
         try:
             factors = self._tables.scaling(convention, {key: float(v[0]) for key, v in robot.geometry.items()})
         except KeyError:
-            raise UsageError(f"{self.name} has no scaling '{convention}'; leave it out.") from None
+            raise OptionNotApplicable(f"{self.name} has no scaling '{convention}'; leave it out.") from None
         return np.array([factors.get(self.parameters[self.index[n]].error, 1.0) for n in names])
 
     # ------------------------------------------------------------------ from robots to the rows the kernels read

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 import numpy as np
 
-from deltacal_gen.errors import UsageError
+from deltacal_gen.errors import NotForThisMachine, UnknownModel, UsageError, WrongArray
 from deltacal_gen.machine import backend
 from deltacal_gen.machine.answers import Loads, Sensitivity, filled
 from deltacal_gen.machine.backend import Backend
@@ -214,7 +214,7 @@ class Machine(ABC):
 
             near = difflib.get_close_matches(full, self.models, n=1)
             hint = f" Did you mean {near[0]}?" if near else ""
-            raise UsageError(f"{self.name} has no model '{name}'; it has {', '.join(self.models)}.{hint}")
+            raise UnknownModel(f"{self.name} has no model '{name}'; it has {', '.join(self.models)}.{hint}")
         return self.models[full]
 
     @property
@@ -243,7 +243,7 @@ class Machine(ABC):
         """
         values, n = np.atleast_2d(np.asarray(errors, dtype=float)), len(self.parameters)
         if values.ndim != 2 or values.shape[1] != n:
-            raise UsageError(f"errors have the shape {np.shape(errors)}; ({n},) or (M, {n}) was expected.")
+            raise WrongArray(f"errors have the shape {np.shape(errors)}; ({n},) or (M, {n}) was expected.")
         return values
 
     # ------------------------------------------------------------------------------------ what a robot file says of it
@@ -338,11 +338,11 @@ class Machine(ABC):
         UsageError
             The machine is not `written_out`.
         """
-        raise UsageError(f"the commands of {self.sort} are not written out.")
+        raise NotForThisMachine(f"the commands of {self.sort} are not written out.")
 
     def constants(self, rows: Array) -> Array:
         """Return what no joint and no target changes, as the C source reads it; raises as `servo`."""
-        raise UsageError(f"the commands of {self.sort} are not written out.")
+        raise NotForThisMachine(f"the commands of {self.sort} are not written out.")
 
     @abstractmethod
     def compile(self) -> Iterator[tuple[str, float]]:
@@ -565,7 +565,7 @@ class Machine(ABC):
             wanted = " or ".join(f"(N, {n})" for n in self.widths)
             raise ValueError(f"targets have the shape {out.shape}, but must have {wanted}.")
         if out.shape[1] not in self.widths:
-            raise UsageError(
+            raise NotForThisMachine(
                 f"a position alone does not say how {self.sort} shall stand. "
                 "Give joints, or the rotation too: rx_deg, ry_deg, rz_deg."
             )

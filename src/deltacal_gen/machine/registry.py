@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import deltacal_kernels
 import numpy as np
 
-from deltacal_gen.errors import UsageError
+from deltacal_gen.errors import UnknownName
 from deltacal_gen.machine.chain import Chain
 from deltacal_gen.machine.limbs import Limbs
 from deltacal_gen.machine.machine import (
@@ -68,7 +68,7 @@ def load_mechanism(name: str, links: tuple[Link, ...] = ()) -> Machine:
         No mechanism has this name; the message lists those that exist.
     """
     if name not in mechanism_names():
-        raise UsageError(f"there is no mechanism '{name}'. Registered: {', '.join(mechanism_names())}.")
+        raise UnknownName(f"there is no mechanism '{name}'. Registered: {', '.join(mechanism_names())}.")
     return _loaded(name, links)
 
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import ClockMismatch, InputError
 from deltacal_gen.motion.clocks import OFFSET, RATE, Clock, Clocked
 from deltacal_gen.results.result import Parameter, Status
 
@@ -75,7 +75,7 @@ def _parameter(name: str, value: float, std: float, unit: str, run: str | None) 
 
 def refused(given: Clocked, problem: str, remedy: str) -> InputError:
     """Return the error of clocks that readings do not tell."""
-    return InputError(f"joints and readings cannot be aligned in time: {problem}.", remedy, file=given.path)
+    return ClockMismatch(f"joints and readings cannot be aligned in time: {problem}.", remedy, file=given.path)
 
 
 def settled(given: Clocked, clock: Clock, step: Callable[[Clock], tuple[Array, Array]], *, beside: str) -> Alignment:

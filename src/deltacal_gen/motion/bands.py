@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import OtherVersion
 from deltacal_gen.motion.fit import Fit
 from deltacal_gen.motion.joint import earlier
 from deltacal_gen.motion.library import Rung
@@ -83,7 +83,7 @@ def unshown(known: JointUncertainty, variance: Array) -> np.ndarray:
 def known_of(model: JointModel) -> JointUncertainty:
     """Return how surely a joint is known; raises an InputError where the result says nothing of it."""
     if model.uncertainty is None:
-        raise InputError(
+        raise OtherVersion(
             f"the result says nothing of how surely it knows joint {model.joint}: an earlier version made it.",
             "Run identify or diagnose again.",
         )

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.errors import ClockMismatch, OptionNotApplicable
 from deltacal_gen.files.columns import instrument_path
 from deltacal_gen.files.recording import recording_of_rows
 from deltacal_gen.files.rows import Rows, read_table
@@ -129,7 +129,7 @@ class Clocked:
             known |= inside
         if need_joints and not known.all():
             row = int(np.argmin(known))
-            raise InputError(
+            raise ClockMismatch(
                 f"at this time, {self.time[row]:g} s on the instrument's clock, no joints are known.",
                 f"Record joints over all of run '{self.run_names[self.run[row]]}', or leave the row out.",
                 file=self.path,
@@ -156,7 +156,7 @@ class Clocked:
             It names a rate where the sidecar says that there is none.
         """
         if said.get(RATE) and not self.rated:
-            raise UsageError(f"the truth has a {RATE}, and the sidecar says clock = '{self.clock}'.")
+            raise OptionNotApplicable(f"the truth has a {RATE}, and the sidecar says clock = '{self.clock}'.")
         return Clock(np.full(len(self.run_names), said.get(OFFSET, 0.0)), said.get(RATE, 0.0))
 
     def known_clock(self, told: Iterable[Parameter]) -> Clock:
@@ -177,7 +177,7 @@ class Clocked:
         for k, run in enumerate(self.run_names):
             value = offsets.get(None, offsets.get(run, self.offset))
             if value is None:
-                raise InputError(
+                raise ClockMismatch(
                     f"where the instrument's clock stands in run '{run}' is not known: the result does not know that "
                     "run.",
                     "Say clock_offset_s under [measurement]: t_joints = t_instrument + clock_offset_s + clock_rate "
@@ -366,7 +366,7 @@ def _both(
     rows = read_table(path)
     joints = trajectories.trajectories(rows, machine, sidecar, need_measured=False)
     if not (beside := instrument_path(path)).exists():
-        raise InputError(
+        raise ClockMismatch(
             f"the sidecar says that the instrument has a clock of its own, and there is no {beside.name}.",
             f"Put the readings there, with time_s; {path.name} holds the joints.",
             file=path.with_suffix(".toml"),
@@ -376,11 +376,17 @@ def _both(
     time = readings.numbers(TIME, blank=False)[:, 0]
     labels = readings.labels("run", blank=False) or [joints.run_names[0]] * len(time)
     if "run" in rows.columns and "run" not in readings.columns and len(joints.run_names) > 1:
-        raise readings.error("the joints have several runs, and these readings none.", "Add the column run.")
+        raise readings.error(
+            "the joints have several runs, and these readings none.", "Add the column run.", family=ClockMismatch
+        )
     strange = next((k for k, label in enumerate(labels) if label not in joints.run_names), None)
     if strange is not None:
         raise readings.error(
-            f"{path.name} has no run '{labels[strange]}'.", "Give its joints.", row=strange, column="run"
+            f"{path.name} has no run '{labels[strange]}'.",
+            "Give its joints.",
+            row=strange,
+            column="run",
+            family=ClockMismatch,
         )
     run = np.array([joints.run_names.index(label) for label in labels])
     return joints, _with_joints(readings, joints), time, run

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import TooFewReadings
 from deltacal_gen.motion.trajectories import Motion, Trajectories
 from deltacal_gen.physics import splines
 from deltacal_gen.physics.splines import Samples
@@ -32,7 +32,7 @@ def motion(given: Trajectories, cutoff: float | None = None) -> Motion:
             states, np.zeros((2, states.shape[2])), loose, None, 0.0, "velocities and accelerations as recorded"
         )
     if given.step >= SLOWEST:
-        raise InputError(
+        raise TooFewReadings(
             f"samples lie {given.step:g} s apart: what joints do in between is not seen.",
             "Give time_s in seconds; or record speeds and accelerations and say so under [motion].",
             file=given.path,
@@ -41,7 +41,7 @@ def motion(given: Trajectories, cutoff: float | None = None) -> Motion:
     base, order = (given.joints, 0) if said is None else (given.recorded[0], 1)
     samples, units = Samples(base, given.time, given.piece), of_joints(given.joint_unit, base.shape[1])
     if (longest := max(map(len, samples.pieces))) < splines.LEAST:
-        raise InputError(
+        raise TooFewReadings(
             f"no movement has more than {longest} samples without a gap: no derivative is made of so few.",
             "Give all samples of one uninterrupted movement the same run.",
             file=given.path,

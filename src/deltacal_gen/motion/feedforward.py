@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import ImpossiblePose, TooFewReadings
 from deltacal_gen.files.robot import robot_of
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.motion.derivatives import motion
@@ -91,7 +91,7 @@ def fed_forward(known: MotionModel, given: Trajectories) -> FeedForward:
     robot = robot_of(known.robot)
     rigid, found = Rigid(robot), motion(given)
     if (lost := ~np.isfinite(found.states).all(axis=(0, 2))).any():
-        raise InputError(
+        raise TooFewReadings(
             "the joints' velocities cannot be made: the movement is too short, or cut here.",
             'Give longer movements, or qd and qdd with [motion] derivatives = "recorded".',
             file=given.path,
@@ -103,7 +103,7 @@ def fed_forward(known: MotionModel, given: Trajectories) -> FeedForward:
     columns = rigid.columns(states, [np.array(some, dtype=int) for some in chosen])
     payload = known_beforehand(known, rigid, states, given)
     if (lost := ~np.isfinite(payload).all(axis=1)).any():
-        raise InputError(
+        raise ImpossiblePose(
             "the machine cannot stand at these joints: its loops do not close, or it is singular.",
             "Keep the trajectory within the workspace.",
             file=given.path,

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from scipy.optimize import nnls
 
-from deltacal_gen.errors import UsageError
+from deltacal_gen.errors import UnknownModel
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.fit import Fit, fitted
 from deltacal_gen.motion.joint import USUAL
@@ -74,7 +74,7 @@ def rigid_model(robot: Robot, model: str | None) -> str:
     """Return the name of the one model in motion; raises a UsageError where another one is asked for."""
     name = f"{robot.mechanism}/{RIGID}"
     if model not in (None, RIGID, name):
-        raise UsageError(f"in motion there is the model {name} only, not '{model}'.")
+        raise UnknownModel(f"in motion there is the model {name} only, not '{model}'.")
     return name
 
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import BadValue, ClockMismatch, InputError
 from deltacal_gen.files.columns import DRIVE, JOINT, Columns, instrument_path
 from deltacal_gen.files.dialect import LOOKED_AT
 from deltacal_gen.files.robot import robot_of
@@ -52,7 +52,7 @@ class Torque:
     def read(self, robot: Robot, *, need_measured: bool = True) -> Trajectories:
         """Return the recording, of one clock; raises InputError."""
         if self._sidecar.measurement.clock is not None:
-            raise InputError(
+            raise ClockMismatch(
                 "the sidecar says that drives are read on a clock of their own: here one clock is needed.",
                 "Leave clock out.",
                 file=self._path.with_suffix(".toml"),
@@ -155,7 +155,7 @@ def _constants(robot: Robot) -> tuple[float, ...] | None:
     constants = None if robot.transmission is None else robot.transmission.torque_constant_Nm_A
     limbs = mechanism_of(robot).limbs
     if constants is not None and len(constants) != limbs:
-        raise InputError(
+        raise BadValue(
             f"torque_constant_Nm_A has {len(constants)} numbers, and the machine {limbs} joints.",
             "Give one for each joint.",
             file=robot.source,

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from deltacal_gen.errors import NoSolutionError
+from deltacal_gen.errors import NoPlan
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.states import ACCELERATIONS, JOINTS, SPEEDS
@@ -55,5 +55,5 @@ def home_of(robot: Robot) -> Array:
         return np.zeros(machine.limbs)
     q, _, status = machine.inverse(robot.workspace.home[None], robot.tool, machine.rows(robot))
     if status.any():
-        raise NoSolutionError("the machine does not reach the middle of its workspace: no trajectory begins there.")
+        raise NoPlan("the machine does not reach the middle of its workspace: no trajectory begins there.")
     return np.asarray(robot.joint_sign * q[0])

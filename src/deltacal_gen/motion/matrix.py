@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import WrongUnit
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.rigid import base_of
 from deltacal_gen.motion.session import Session
@@ -56,7 +56,7 @@ def regressor(robot: Robot, given: Trajectories) -> Regressor:
         No joint moves for long enough, or what a drive gives per reading is not known.
     """
     if open_ := [c for c, read in zip(given.columns, given.readouts, strict=True) if not read.forces]:
-        raise InputError(
+        raise WrongUnit(
             f"{open_[0]} is no torque, and what it is per torque is not known: bodies of all joints have no common "
             "problem.",
             "Give torque_constant_Nm_A under [transmission]; identify says what each joint's reading knows by itself.",

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.optimize import linear_sum_assignment
 
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import MisreadReadings
 from deltacal_gen.files.robot import robot_size
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.motion.fit import Fit, fitted
@@ -44,7 +44,7 @@ def check(session: Session) -> None:
     Effects found in such a recording, and bodies, would be none of the machine's.
     """
     for text, remedy in itertools.chain(_of_joints(session), _exchanged(session), _other_units(session)):
-        raise InputError(text, remedy, file=session.given.path)
+        raise MisreadReadings(text, remedy, file=session.given.path)
 
 
 def too_heavy(session: Session, fits: Sequence[Fit]) -> Iterator[str]:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import NotExcited
 from deltacal_gen.machine.dynamics import Dynamics, dynamics_of
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.results.result import OpenCombination
@@ -85,7 +85,7 @@ class Rigid:
         Y = self.dynamics.regressor(general)
         size = np.abs(Y).max(axis=(1, 2))  # NaN where a machine with loops cannot stand, large where it nearly cannot
         if not np.isfinite(size).any():
-            raise InputError(
+            raise NotExcited(
                 "what its drives would have to give is no number anywhere: a dimension cannot be.",
                 "Correct the lengths and angles of the robot file.",
                 file=robot.source,

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import ConstantReadings, UnusableURDF
 from deltacal_gen.files.robot import kept_robot
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.bands import uncertainty_of
@@ -105,13 +105,13 @@ class Session:
         found = [joint for joint in moved if not joint.silent]
         if moved and not found:
             columns = ", ".join(self.given.columns[joint.number - 1] for joint in moved)
-            raise InputError(
+            raise ConstantReadings(
                 f"joints move, and their readings never change: {columns}.",
                 "Record there what the drives give.",
                 file=self.given.path,
             )
         if not found:
-            raise InputError(
+            raise UnusableURDF(
                 f"no joint moves for long enough: {self._most()}. Friction at rest is not known, and a part of what "
                 "moves must be held out.",
                 f"Record {LEAST_RUNS} runs or more, or one of at least ten seconds, in which joints move for {FEW} "

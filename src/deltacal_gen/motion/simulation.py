@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, TypeGuard
 import numpy as np
 from pydantic import Field
 
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import MissingChannel, MissingKey
 from deltacal_gen.files.toml import Raw, Table, TomlFile, nearest, toml_text
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.derivatives import motion
@@ -192,7 +192,7 @@ def simulated(
     inertia = rigid.dynamics.stated(points=True)
     if np.isnan(inertia).any():
         body = rigid.names[int(np.argmax(np.isnan(inertia)))].rpartition("_")[2]
-        raise InputError(
+        raise MissingKey(
             f"joint {body} has no mass: what drives give cannot be simulated.",
             "Add mass, com and inertia to its table [[joint]]; without inertia it is a point.",
             file=robot.source,
@@ -212,7 +212,7 @@ def simulated(
     for joint, rung, values in told.effects:
         read = {name: late(v, joint) for name, v in of_joint(given, states, joint - 1, load[:, joint - 1]).items()}
         if missing := lacking(rung, read):
-            raise InputError(
+            raise MissingChannel(
                 f"{rung.effect} depends on {missing[0]}, which the trajectory does not hold.",
                 "Add the column temp_C.",
                 file=given.path,

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, ClassVar, Literal
 
 import numpy as np
 
+from deltacal_gen.errors import MissingColumn, WrongKind
 from deltacal_gen.files.columns import DRIVE, sidecar_path
 from deltacal_gen.files.logged import increasing, logged
 from deltacal_gen.files.rows import Rows, read_table
@@ -371,13 +372,25 @@ def _read_columns(rows: Rows, machine: Machine, needed: bool) -> tuple[tuple[str
     for name in there:
         if not any(name in columns for columns, _ in forms.values()):
             known = "; ".join(", ".join(columns) for columns, _ in forms.values())
-            raise rows.error(f"'{name}' is no reading of a drive of this machine.", f"Known: {known}.", column=name)
+            raise rows.error(
+                f"'{name}' is no reading of a drive of this machine.",
+                f"Known: {known}.",
+                column=name,
+                family=MissingColumn,
+            )
     present = [word for word, (columns, _) in forms.items() if set(columns) & set(there)]
     if len(present) > 1:
-        raise rows.error("the columns hold readings of several kinds of drives.", "Keep one of them.", column=there[0])
+        raise rows.error(
+            "the columns hold readings of several kinds of drives.",
+            "Keep one of them.",
+            column=there[0],
+            family=WrongKind,
+        )
     if not present and needed:
         raise rows.error(
-            "no column holds what a drive gives.", f"Add one of: {'; '.join(', '.join(c) for c, _ in forms.values())}."
+            "no column holds what a drive gives.",
+            f"Add one of: {'; '.join(', '.join(c) for c, _ in forms.values())}.",
+            family=MissingColumn,
         )
     columns, units = forms[present[0] if present else "tau"]
     if present:
@@ -394,6 +407,7 @@ def _not_speeds_alone(rows: Rows, joints: Sequence[str], speeds: Sequence[str]) 
                 f"Add it, {speed} times the interval summed up from row to row: where that begins matters only where "
                 'weight or stops do. derivatives = "velocity recorded" under [motion] then takes the speeds as given.',
                 column=joint,
+                family=MissingColumn,
             )
 
 

@@ -18,7 +18,7 @@ from importlib import resources
 from pathlib import Path
 from typing import Any
 
-from deltacal_gen.errors import UsageError
+from deltacal_gen.errors import NothingToShow
 
 CONTENTS = "index"
 NEAR = 3  # topics that an unknown one is answered with
@@ -82,7 +82,7 @@ def read(topic: str = CONTENTS) -> Page:
     if topic not in (CONTENTS, *topics()):
         near = _near(topic)
         meant = f" Near: {', '.join(near)}." if near else ""
-        raise UsageError(f"the manual has no topic '{topic}'.{meant} All topics: deltacal manual.")
+        raise NothingToShow(f"the manual has no topic '{topic}'.{meant} All topics: deltacal manual.")
     text = _MEASURED.sub(lambda found: _as_markdown(measured(found[1])), source(topic))
     title, _, rest = text.partition("\n")
     return Page(topic, title.removeprefix("# "), _plain(rest.strip().partition("\n\n")[0]), text)

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.errors import FileNotWritable, NothingToShow
 from deltacal_gen.files.columns import Columns
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Robot
@@ -31,7 +31,7 @@ def conditions(plans: Sequence[Plan]) -> figures.Sheet:
     """
     drawn = [p for p in plans if p.condition and p.condition[-1] is not None]
     if not drawn:
-        raise UsageError("there is nothing to draw: no set of poses has the full rank.")
+        raise NothingToShow("there is nothing to draw: no set of poses has the full rank.")
     canvas, axes = figures.sheet(1, 1, (6.4, 3.8))
     for p, colour in zip(drawn, mpl.colormaps["viridis"](np.linspace(0.1, 0.7, len(drawn))), strict=True):
         found = {n: k for n, k in zip(p.n, p.condition, strict=True) if k is not None}
@@ -97,4 +97,6 @@ def _saved(canvas: Any, path: str | Path) -> None:
     try:
         figures.save(canvas, path)
     except (OSError, ValueError) as error:
-        raise InputError(f"the figure cannot be written: {error}.", "Check folder and ending.", file=path) from None
+        raise FileNotWritable(
+            f"the figure cannot be written: {error}.", "Check folder and ending.", file=path
+        ) from None

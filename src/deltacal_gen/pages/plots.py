@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from deltacal_gen.errors import UsageError
+from deltacal_gen.errors import NothingToShow
 from deltacal_gen.pages import figures, plans, validation
 from deltacal_gen.pages.figures import AFTER, MUTED, STYLE, Sheet, mpl
 from deltacal_gen.results.base import Answer
@@ -31,7 +31,7 @@ def plot(found: Answer) -> Sheet:
     drawer = next((draw for of, draw in _DRAWERS.items() if isinstance(found, of)), None)
     if drawer is None:
         known = ", ".join(of.__name__ for of in _DRAWERS)
-        raise UsageError(f"there is no picture of a {type(found).__name__}; there is one of {known}.")
+        raise NothingToShow(f"there is no picture of a {type(found).__name__}; there is one of {known}.")
     with mpl.rc_context(STYLE):
         figure: Sheet = drawer(found)
     return figure
@@ -62,7 +62,7 @@ def _comparison(found: Comparison) -> Sheet:
     same = found.combinations_unchanged if combined else found.unchanged
     told: list[tuple[Change, float]] = [(c, c.change / c.std) for c in (*(changed or ()), *(same or ())) if c.std]
     if not told:
-        raise UsageError("there is nothing to draw: no parameter is known to both sessions.")
+        raise NothingToShow("there is nothing to draw: no parameter is known to both sessions.")
     figure, axes = figures.sheet(1, 1, (7.4, 0.9 + 0.2 * len(told)))
     sizes = np.array([size for _, size in told])
     colours = [figures.BEFORE if abs(size) > found.limit_std else AFTER for size in sizes]
@@ -92,7 +92,7 @@ def _study(found: Study) -> Sheet:
 def _batch(found: Batch) -> Sheet:
     done = [row for row in found.rows if row.in_mm]
     if not done:
-        raise UsageError("there is nothing to draw: no recording at rest was done.")
+        raise NothingToShow("there is nothing to draw: no recording at rest was done.")
     figure, axes = figures.sheet(1, 1, (7.4, 0.8 + 0.16 * len(done)))
     figures.fleet(axes, done)
     return figure

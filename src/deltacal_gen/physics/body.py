@@ -14,7 +14,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from deltacal_gen import states
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import ImpossiblePose
 from deltacal_gen.machine.answers import Sensitivity
 from deltacal_gen.machine.machine import POSE
 from deltacal_gen.machine.registry import SOLVED, STATUS, UNBALANCED, UNDEFINED, Array, Machine
@@ -522,7 +522,7 @@ class Body:
         bad = used[status[used] != SOLVED]
         if len(bad):
             joint = 0 if machine.restless is None else int(machine.restless[bad[0]])
-            raise InputError(
+            raise ImpossiblePose(
                 f"at these joints the machine is {STATUS[int(status[bad[0]])]}"
                 + (f", joint {joint} first" if joint else "")
                 + (f" (and at {len(bad) - 1} more rows)." if len(bad) > 1 else "."),

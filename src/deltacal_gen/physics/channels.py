@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from deltacal_gen import states
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import TimeOrder
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.values import Recording, Robot, numbered
 from deltacal_gen.physics.terms import Term
@@ -164,7 +164,7 @@ def complete_channels(
         where = "not given" if blank.all() else f"blank in {blank.sum()} of {n} rows"
         said.append(f"{name} {where}: {assumed} ({', '.join(t.effect for t in users)})")
         if read.whole and not blank.all():
-            raise InputError(
+            raise TimeOrder(
                 "some rows have a time and some have none.",
                 "Fill in all cells, or leave the column out.",
                 column=column,

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import TimeOrder
 from deltacal_gen.instrument.sampled import at_rate, runs_of
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.values import Recording
@@ -80,7 +80,7 @@ def _instants(recording: Recording, time: Array) -> np.ndarray:
     for rows in runs_of(recording):
         steps = np.diff(time[rows], prepend=-np.inf)
         if (steps < 0).any():
-            raise InputError(
+            raise TimeOrder(
                 "time goes backwards within a run.",
                 "Sort the rows, or give each uninterrupted movement a label of its own in the column 'run'.",
                 file=recording.path,

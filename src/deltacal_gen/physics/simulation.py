@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from pydantic import Field
 
-from deltacal_gen.errors import InputError, NoSolutionError
+from deltacal_gen.errors import MissingChannel, OutOfReach
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.files.toml import Number, Table, TomlFile, nearest
 from deltacal_gen.instrument.kind import TURN_MM
@@ -204,7 +204,7 @@ def simulate(
     body = Body(robot, mechanism, robot.joint_sign * joints, np.ascontiguousarray(tool), Channels.of(commanded, robot))
     for term in terms:
         if why := body.missing(term):
-            raise InputError(f"the effect '{term.effect}' needs {why}.", "Add it.", file=poses.path)
+            raise MissingChannel(f"the effect '{term.effect}' needs {why}.", "Add it.", file=poses.path)
     machine, status = body.solve(true, terms)
     _all_solved(poses, status, "the pose cannot be simulated")
     x = machine.x
@@ -244,7 +244,7 @@ def _all_solved(poses: Recording, status: np.ndarray, what: str) -> None:
     bad = np.flatnonzero(status != SOLVED)
     if len(bad):
         lost = status[bad[0]] == UNDEFINED
-        raise NoSolutionError(
+        raise OutOfReach(
             f"{poses.path}, line {int(poses.line[bad[0]])}: {what}: {STATUS[int(status[bad[0]])]}"
             + (f" ({len(bad)} rows in all)." if len(bad) > 1 else ".")
             + (" Remove the row, or the effect." if lost else " Move the row into the workspace or remove it.")

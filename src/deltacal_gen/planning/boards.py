@@ -12,7 +12,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from deltacal_gen.errors import NoSolutionError
+from deltacal_gen.errors import NoPlan
 from deltacal_gen.files.robot import Robot, robot_size
 from deltacal_gen.identification.accuracy import RECURRENCE, joint_spread, workspace_of
 from deltacal_gen.instrument.board import nice
@@ -103,7 +103,7 @@ def _best(robot: Robot, aim: Callable[[Array, Array], Callable[[Array, np.ndarra
         arrived = aimed(robot, spread, aim(x[row, :3] + ahead * axes[row], axes[row]))
         found = max(found, arrived, key=len)
     if len(found) < FEWEST:
-        raise NoSolutionError(
+        raise NoPlan(
             f"of {SPREAD} sets of joints {len(found)} bring the machine before a board, wherever it lies. "
             "Give wider limits of the joints, or write poses of your own."
         )

@@ -16,7 +16,7 @@ from pathlib import Path
 
 import numpy as np
 
-from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.errors import MissingKey, OptionNotApplicable, ValueOutOfRange
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.files.writing import write_recording
 from deltacal_gen.identification.accuracy import joint_spread
@@ -114,11 +114,11 @@ def plan_both_sides(robot: Robot, kind: str, positions: int | None = None, cycle
         Too few positions or cycles, or cycles of several joints.
     """
     if (positions is not None and positions < 2) or (cycles is not None and cycles < 2):
-        raise UsageError("what is repeated has a spread only from 2 positions and 2 cycles on.")
+        raise ValueOutOfRange("what is repeated has a spread only from 2 positions and 2 cycles on.")
     if mechanism_of(robot).limbs == 1:
         return _cycles(robot, kind, positions, cycles or CYCLES)
     if cycles is not None:
-        raise UsageError("cycles are of one axis; give --positions for several joints.")
+        raise OptionNotApplicable("cycles are of one axis; give --positions for several joints.")
     joints = readable(_spread(robot, positions or PLACES), mechanism_of(robot).joint_units)
     k = np.arange(1, len(joints) + 1)[:, None]
     sides = np.where((k * np.sqrt(np.arange(2, joints.shape[1] + 2)) * GOLDEN) % 1 < 0.5, 1, -1)
@@ -147,13 +147,13 @@ def _spread(robot: Robot, count: int) -> Array:
         return joint_spread(dataclasses.replace(robot, workspace=None), count)
     joints: Array = generic(robot, robot.tool[None]).joints
     if count > len(joints):
-        raise UsageError(f"{len(joints)} places are spread over the workspace, fewer than {count}.")
+        raise ValueOutOfRange(f"{len(joints)} places are spread over the workspace, fewer than {count}.")
     return joints[:count]
 
 
 def _limits(robot: Robot) -> Array:
     if robot.joint_limits is None:
-        raise InputError(
+        raise MissingKey(
             "a plan needs to know how far the joints go.",
             "Add limits to [joints] in the robot file.",
             file=robot.source,

@@ -24,7 +24,7 @@ from typing import Any
 
 import numpy as np
 
-from deltacal_gen.errors import NoSolutionError, UsageError
+from deltacal_gen.errors import NoPlan, ValueOutOfRange
 from deltacal_gen.files.columns import Columns
 from deltacal_gen.files.toml import toml_text
 from deltacal_gen.files.writing import csv_text, write_files
@@ -119,7 +119,7 @@ class Excitation:
         q = middle + room * self._rng.uniform(-1.0, 1.0, (TRIED, len(middle)))
         inside = np.flatnonzero(space.holds(x := self._positions(q)))
         if not len(inside):
-            raise NoSolutionError(
+            raise NoPlan(
                 "no joints within their limits bring the reference point into the workspace: compare [workspace] with "
                 "limits_deg."
             )
@@ -159,7 +159,7 @@ class Excitation:
             middle = (low + high) / 2
             low, high = (middle, high) if self._stays(series.times(middle)) else (low, middle)
         if low == 0.0:
-            raise NoSolutionError("no trajectory from where it begins stays in the workspace.")
+            raise NoPlan("no trajectory from where it begins stays in the workspace.")
         return series.times(low)
 
     def _stays(self, series: Series) -> bool:
@@ -258,7 +258,7 @@ def plan_trajectories(
         No trajectory stays in the workspace.
     """
     if runs < 1 or harmonics < 2 or not period > 0 or not rate >= 4 * harmonics / period:
-        raise UsageError(
+        raise ValueOutOfRange(
             f"{runs} runs of {period:g} s with {harmonics} harmonics at {rate:g} Hz cannot be planned. "
             "Give at least one run, two harmonics (a start at rest needs them) and four samples per wave."
         )

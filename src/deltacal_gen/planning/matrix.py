@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from deltacal_gen.errors import InputError, NoSolutionError
+from deltacal_gen.errors import MissingKey, NoPlan
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.files.sidecar import read_measurement
 from deltacal_gen.identification.accuracy import RECURRENCE, joint_spread, turned, workspace_of
@@ -254,7 +254,7 @@ def read_mount(sidecar: str | Path) -> Mount:
     measurement = read_measurement(sidecar)
     base, platform = measurement.base_point_mm, measurement.platform_point_mm
     if base is None or platform is None:
-        raise InputError(
+        raise MissingKey(
             "the sidecar does not say where a gauge's ends are mounted.",
             "Add base_point_mm and platform_point_mm to [measurement].",
             file=sidecar,
@@ -287,7 +287,7 @@ def _reachable(robot: Robot, targets: Array, tools: Array) -> Poses:
     if reached < GENERIC_POSES / 2:
         places = targets[:, :3]
         worst = missed[np.argmin(np.linalg.norm(places[missed] - places.mean(axis=0), axis=1))]
-        raise NoSolutionError(
+        raise NoPlan(
             f"the machine reaches {reached} of {len(why)} points spread over its workspace: "
             f"{place_of(places[worst])} is {why[worst]}.{middle(robot, tools)} "
             "Check [workspace] and the limits of the joints."

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from deltacal_gen.errors import NoSolutionError, UsageError
+from deltacal_gen.errors import NoPlan, OptionNotApplicable, UnknownName, WrongArray
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.identification.accuracy import turned, workspace_of
 from deltacal_gen.identification.identifiability import (
@@ -106,10 +106,10 @@ def plan_optimal_poses(
         candidates = readable_targets(robot, candidates_of(robot, at_poses(task)))
     wanted = reachable(task, turned(robot, np.unique(np.atleast_2d(np.asarray(candidates, dtype=float)), axis=0)))
     if len(wanted) < count:
-        raise NoSolutionError(f"only {len(wanted)} of the candidates can be reached, but {count} positions are wanted.")
+        raise NoPlan(f"only {len(wanted)} of the candidates can be reached, but {count} positions are wanted.")
     whole, frame = bases(task, reached_of(robot, wanted, task.tools))
     if count < (fewest := fewest_of(task, whole)):
-        raise UsageError(
+        raise WrongArray(
             f"{count} positions give {count * _scalars(task)} coordinates, but {task.model} and the frame have "
             f"{whole.shape[2]} unknowns that can be seen: plan at least {fewest} positions."
         )
@@ -195,10 +195,10 @@ def task_of(
     for what, value, known in (("kind", kind, KINDS), ("scaling", scaling, SCALINGS), ("norm", norm, NORMS)):
         if value not in known:
             words = sorted(kind_of(n).words for n in known) if what == "kind" else known
-            raise UsageError(f"there is no {what} '{value}'; known: {', '.join(words)}.")
+            raise UnknownName(f"there is no {what} '{value}'; known: {', '.join(words)}.")
     names = mechanism.model(model)
     if bool(kind_of(kind).mount) != (mount is not None):
-        raise UsageError("a gauge, and nothing else, needs to know where its ends are mounted.")
+        raise OptionNotApplicable("a gauge, and nothing else, needs to know where its ends are mounted.")
     if mount is not None:
         tools = mount.platform[None]
     elif tools is None and (len(mechanism.axes) == 2 or mechanism.turning or kind_of(kind).rotations):

@@ -22,7 +22,7 @@ from pathlib import Path
 
 import numpy as np
 
-from deltacal_gen.errors import UsageError
+from deltacal_gen.errors import ValueOutOfRange
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.files.writing import write_recording
 from deltacal_gen.identification.accuracy import workspace_of
@@ -111,7 +111,7 @@ def plan_poses(
     """
     task = task_of(robot, model, kind, tools, scaling, norm, mount, said)
     if n_max < FEWEST:
-        raise UsageError(f"n_max is {n_max}, but a ring has at least {FEWEST} poses.")
+        raise ValueOutOfRange(f"n_max is {n_max}, but a ring has at least {FEWEST} poses.")
     drawn = None if singular is None else singularities.near(robot, singular, n_max, np.random.default_rng(0))
     method: Method
     sets: Sets
@@ -168,7 +168,7 @@ def _joints(task: Task, n_max: int) -> tuple[int, Sets]:
     whole, frame = bases(task, reached_of(task.robot, wanted, task.tools))
     fewest = max(FEWEST, fewest_of(task, whole))
     if fewest >= n_max:
-        raise UsageError(
+        raise ValueOutOfRange(
             f"{task.model} needs {fewest} poses at the least, more than {n_max}: ask for fewer parameters."
         )
     picked = exchange(whole, frame, fewest, np.random.default_rng(0)).tolist()

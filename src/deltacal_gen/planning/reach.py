@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from deltacal_gen.errors import NoSolutionError, UsageError
+from deltacal_gen.errors import NoPlan, WrongArray
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.identification.accuracy import turned
 from deltacal_gen.machine.registry import SOLVED, STATUS, Array, mechanism_of
@@ -185,7 +185,7 @@ def reached_of(robot: Robot, targets: Array, tools: Array) -> Poses:
     bad = np.flatnonzero(why != "")
     if len(bad):
         x, y, z = poses.targets[bad[0]]
-        raise NoSolutionError(
+        raise NoPlan(
             f"the target ({x:.6g}, {y:.6g}, {z:.6g}) mm is {why[bad[0]]} ({len(bad)} of {len(why)} targets). "
             "Plan in a smaller workspace or turn the ring."
         )
@@ -196,5 +196,5 @@ def tools_of(tools: Array | Sequence[Sequence[float]]) -> Array:
     """Return reference points as an array (T, 3) [mm]; raise UsageError where they have another shape."""
     points = np.atleast_2d(np.asarray(tools, dtype=float))
     if points.ndim != 2 or points.shape[1] != 3 or not len(points):
-        raise UsageError(f"reference points have the shape {points.shape}, but must have (T, 3): x, y, z in mm each.")
+        raise WrongArray(f"reference points have the shape {points.shape}, but must have (T, 3): x, y, z in mm each.")
     return points

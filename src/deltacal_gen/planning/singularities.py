@@ -12,7 +12,7 @@ import dataclasses
 
 import numpy as np
 
-from deltacal_gen.errors import NoSolutionError, UsageError
+from deltacal_gen.errors import NoPlan, NotForThisMachine, ValueOutOfRange
 from deltacal_gen.files.robot import Robot, robot_size
 from deltacal_gen.identification.accuracy import workspace_of
 from deltacal_gen.machine.registry import SOLVED, Array, Machine, mechanism_of, nominal_joints
@@ -82,7 +82,7 @@ def near(robot: Robot, band: tuple[float, float], count: int, rng: np.random.Gen
     """
     least, largest = band
     if not 0 < least < largest:
-        raise UsageError(f"a band of distances from singularities is two lengths, the lesser first, not {band}.")
+        raise ValueOutOfRange(f"a band of distances from singularities is two lengths, the lesser first, not {band}.")
     mechanism, middle = _checked(robot), workspace_of(robot).home
     kept: list[Array] = []
     for _ in range(ROUNDS):
@@ -98,7 +98,7 @@ def near(robot: Robot, band: tuple[float, float], count: int, rng: np.random.Gen
         kept.append(drawn[(away >= least) & (away <= largest) & commanded])
         if sum(map(len, kept)) >= count:
             return np.vstack(kept)[:count]
-    raise NoSolutionError(
+    raise NoPlan(
         f"only {sum(map(len, kept))} of {count} positions between {least:g} and {largest:g} mm from a singularity were "
         "found within the limits of the joints."
     )
@@ -107,7 +107,7 @@ def near(robot: Robot, band: tuple[float, float], count: int, rng: np.random.Gen
 def _checked(robot: Robot) -> Machine:
     mechanism = mechanism_of(robot)
     if not mechanism.looped or mechanism.limbs < 2:
-        raise UsageError(
+        raise NotForThisMachine(
             f"{mechanism.sort} is not singular by its position: distances from singularities need a parallel machine."
         )
     return mechanism
@@ -137,8 +137,6 @@ def _regular(robot: Robot, targets: Array) -> np.ndarray:
 
     wanted = sign(middle[None])[0]
     if wanted == 0:
-        raise NoSolutionError(
-            "the machine cannot take the middle of its workspace: check [workspace] in the robot file."
-        )
+        raise NoPlan("the machine cannot take the middle of its workspace: check [workspace] in the robot file.")
     parts = [sign(targets[n : n + BLOCK]) == wanted for n in range(0, len(targets), BLOCK)]
     return np.concatenate(parts) if parts else np.zeros(0, dtype=bool)

@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 from threadpoolctl import threadpool_limits
 
-from deltacal_gen.errors import InputError, NoSolutionError
+from deltacal_gen.errors import NoConvergence, TooFewReadings
 from deltacal_gen.execution import Outcome, Task, Told, content_key, run
 from deltacal_gen.files.robot import kept_robot
 from deltacal_gen.machine.backend import Backend, using
@@ -98,7 +98,7 @@ def conduct(
         unknowns = study.instrument.n_unknown if joints else study.linear.J.shape[1]
         scalars = study.problem.readings.n_scalars
         if scalars < unknowns:
-            raise InputError(
+            raise TooFewReadings(
                 f"the plan has {scalars} scalar readings for {unknowns} unknowns.",
                 "Add poses, or free fewer parameters with --model.",
                 file=study.poses.path,
@@ -119,7 +119,7 @@ def conduct(
 def _result(outcome: Outcome) -> Json:
     """Return what became of a chunk of machines."""
     if outcome.result is None:
-        raise NoSolutionError(f"{outcome.label}: {outcome.error}")
+        raise NoConvergence(f"{outcome.label}: {outcome.error}")
     return outcome.result
 
 
@@ -156,7 +156,7 @@ def _with_machines(study: Study, found: results.Study, chunks: Sequence[Machines
     problem, linear, count = study.problem, study.linear, found.machines
     mechanism, n = problem.mechanism, len(study.names)
     if count == 0:
-        raise NoSolutionError("no machine of the study could be simulated and calibrated: its errors are too large.")
+        raise NoConvergence("no machine of the study could be simulated and calibrated: its errors are too large.")
     mean = np.sum([c.sum for c in chunks], axis=0) / count
     scatter = np.sqrt(np.sum([c.squares for c in chunks], axis=0) / count)
     moments = linear.of_estimate(study.spread, problem.columns)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from deltacal_gen.errors import UsageError
+from deltacal_gen.errors import NotForThisMachine, UnknownName, ValueOutOfRange
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.identification.accuracy import circle, joint_spread, workspace_of
 from deltacal_gen.instrument.kind import Kind
@@ -113,7 +113,7 @@ def reference_points(robot: Robot, count: int) -> Array:
     The one below sees how the platform turns about x and y (Bai 2015, section 5.2).
     """
     if not 1 <= count <= len(OFFSETS):
-        raise UsageError(
+        raise ValueOutOfRange(
             f"{count} reference points cannot be placed by default: give 1 to {len(OFFSETS)}, or their coordinates."
         )
     points: Array = robot.tool + np.array(OFFSETS[:count])
@@ -123,14 +123,14 @@ def reference_points(robot: Robot, count: int) -> Array:
 def radius(workspace: Workspace) -> float:
     """Return the radius of a cylinder [mm]; raise UsageError where the workspace is none."""
     if workspace.radius is None:
-        raise UsageError("poses are planned in a cylinder: the workspace needs a radius.")
+        raise NotForThisMachine("poses are planned in a cylinder: the workspace needs a radius.")
     return workspace.radius
 
 
 def width(workspace: Workspace) -> float:
     """Return the width of a rectangle [mm]; raise UsageError where the workspace is none."""
     if workspace.width is None:
-        raise UsageError("poses are planned in a rectangle: the workspace needs a width.")
+        raise NotForThisMachine("poses are planned in a rectangle: the workspace needs a width.")
     return workspace.width
 
 
@@ -138,5 +138,7 @@ def parts_of(layers: Sequence[str | float]) -> tuple[float, ...]:
     """Return layers, by name or number, as parts of the height of the workspace, 0 to 1."""
     for layer in layers:
         if layer not in LAYERS if isinstance(layer, str) else not 0 <= layer <= 1:
-            raise UsageError(f"there is no layer '{layer}'; write {', '.join(LAYERS)} or a part of the height, 0 to 1.")
+            raise UnknownName(
+                f"there is no layer '{layer}'; write {', '.join(LAYERS)} or a part of the height, 0 to 1."
+            )
     return tuple(LAYERS[layer] if isinstance(layer, str) else float(layer) for layer in layers)

@@ -20,7 +20,7 @@ import numpy as np
 from pydantic import BaseModel, ConfigDict, model_serializer
 from pydantic_core import core_schema
 
-from deltacal_gen.errors import UsageError
+from deltacal_gen.errors import NotInstalled
 from deltacal_gen.results.document import Document, Text, as_html, as_text, columns, table_of
 
 if TYPE_CHECKING:
@@ -192,7 +192,7 @@ def frame_of(rows: list[Json]) -> pd.DataFrame:
     try:
         import pandas as pd
     except ImportError:
-        raise UsageError("a data frame needs pandas, which is not installed: pip install pandas.") from None
+        raise NotInstalled("a data frame needs pandas, which is not installed: pip install pandas.") from None
     return pd.DataFrame(rows, columns=columns(rows))
 
 

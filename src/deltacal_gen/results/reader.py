@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Final, TypeVar, cast
 
 from pydantic import ValidationError
 
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import FileFormat, FileNotReadable, InputError, OtherVersion
 from deltacal_gen.results.base import Answer, Value, key_of, plain
 
 if TYPE_CHECKING:
@@ -117,9 +117,9 @@ def read_answer(source: Given, schemas: tuple[str, ...] = (*ANSWERS,), kind: str
     try:
         data = json.loads(text)
     except json.JSONDecodeError as error:
-        raise InputError(f"this is not JSON: {error.msg}.", refused.remedy, file=file, line=error.lineno) from None
+        raise FileFormat(f"this is not JSON: {error.msg}.", refused.remedy, file=file, line=error.lineno) from None
     except RecursionError:
-        raise InputError("its lists are nested too deeply.", refused.remedy, file=file) from None
+        raise FileFormat("its lists are nested too deeply.", refused.remedy, file=file) from None
     schema = data.get("schema") if isinstance(data, dict) else None
     if schema not in schemas:
         raise refused.error(schema, schemas)
@@ -134,11 +134,11 @@ def _text(file: Path) -> str:
     try:
         return file.read_text(encoding="utf-8-sig")
     except FileNotFoundError:
-        raise InputError("there is no such file.", "Check the path.", file=file) from None
+        raise FileNotReadable("there is no such file.", "Check the path.", file=file) from None
     except UnicodeDecodeError:
-        raise InputError("this is not text.", "Save it as UTF-8.", file=file) from None
+        raise FileFormat("this is not text.", "Save it as UTF-8.", file=file) from None
     except OSError as error:
-        raise InputError(f"cannot be read: {error.strerror}.", "Look at the file.", file=file) from None
+        raise FileNotReadable(f"cannot be read: {error.strerror}.", "Look at the file.", file=file) from None
 
 
 class _Refused:
@@ -154,9 +154,9 @@ class _Refused:
         family = BECAME.get(said, said)
         mine = next((s for s in known if s.partition("/")[0] == family), None)
         if mine is None:
-            return InputError(f"this is no {self.kind}.", self.remedy, file=self.file)
+            return FileFormat(f"this is no {self.kind}.", self.remedy, file=self.file)
         again = f"Run {COMMANDS[mine]} again" if mine in COMMANDS else "Make it again"
-        return InputError(
+        return OtherVersion(
             f"it was written by another version: its schema is {schema}, and this version reads {mine}.",
             f"{again} with this version, or use the version that wrote it.",
             file=self.file,
@@ -172,7 +172,7 @@ class _Refused:
             value = json.dumps(found["input"], default=str)
             shown = value if len(value) <= MOST_SHOWN else value[: MOST_SHOWN - 3] + "..."
             words = f"'{path}' is {shown}: {found['msg'][:1].lower()}{found['msg'][1:]}."
-        return InputError(f"this is no {self.kind}: {words}", self.remedy, file=self.file, line=self._line(steps))
+        return FileFormat(f"this is no {self.kind}: {words}", self.remedy, file=self.file, line=self._line(steps))
 
     def _line(self, steps: list[Any]) -> int | None:
         """Return the line of a key of the file as it is written: a line to each."""

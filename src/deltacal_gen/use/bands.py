@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import OtherVersion
 from deltacal_gen.estimation.problem import Linearised, Problem
 from deltacal_gen.identification.knowledge import factor
 from deltacal_gen.instrument.kind import Instrument, Readings
@@ -61,7 +61,7 @@ def known_of(result: Result | Diagnosis) -> Uncertainty:
         It keeps none.
     """
     if result.uncertainty is None:
-        raise InputError(
+        raise OtherVersion(
             "the result says nothing of its uncertainty: it was made by an earlier version.",
             "Run identify or diagnose again.",
         )

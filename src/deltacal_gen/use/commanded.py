@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.errors import UnknownName, WrongArray, WrongFile
 from deltacal_gen.files.checks import impossible
 from deltacal_gen.files.columns import Columns, is_channel
 from deltacal_gen.files.toml import nearest
@@ -73,7 +73,7 @@ class Wanted:
             positions = np.hstack([positions[:, :3], from_vector(positions[:, 3:] * DEG).reshape(-1, 9)])
         if positions.size and (positions.ndim != 2 or positions.shape[1] not in {3, *compensator.mechanism.widths}):
             turned = " or, with rx_deg, ry_deg, rz_deg, (N, 6)" if compensator.mechanism.turning else ""
-            raise UsageError(f"targets have the shape {np.shape(targets)}; (N, 3) mm{turned} is expected.")
+            raise WrongArray(f"targets have the shape {np.shape(targets)}; (N, 3) mm{turned} is expected.")
         return Wanted(positions, None, None, columns, None)
 
     @staticmethod
@@ -93,7 +93,7 @@ class Wanted:
         near, positions = None, recording.targets
         if positions is None:
             if not compensator.mechanism.many_ways:
-                raise InputError(
+                raise WrongFile(
                     "the file gives joints, not targets.",
                     "Give the columns x_mm, y_mm, z_mm and no joints.",
                     file=recording.path,
@@ -113,12 +113,12 @@ def _finite(targets: object) -> Array:
             raise TypeError
         out: Array = given.astype(float).filled(np.nan)
     except (TypeError, ValueError):
-        raise UsageError(
+        raise WrongArray(
             f"a {type(targets).__name__} of no real numbers holds no targets: give an array (N, 3) [mm]."
         ) from None
     if not np.isfinite(out).all():
         row = int(np.argwhere(~np.isfinite(out))[0, 0]) if out.ndim else 0
-        raise UsageError(f"target {row + 1} is not a finite number in every coordinate. Leave it out.")
+        raise WrongArray(f"target {row + 1} is not a finite number in every coordinate. Leave it out.")
     return out
 
 
@@ -221,7 +221,7 @@ def check_channels(channels: Mapping[str, Any], compensator: Compensator, known:
             _check_values(name, given, n)
             continue
         near = nearest(name, USUAL)
-        raise UsageError(
+        raise UnknownName(
             f"there is no channel '{name}'. " + (f"Did you mean '{near}'?" if near else f"Known: {', '.join(USUAL)}.")
         )
 
@@ -231,9 +231,9 @@ def _check_values(name: str, given: Any, n: int) -> None:
     try:
         values = np.broadcast_to(np.asarray(given, dtype=float), n)
     except (TypeError, ValueError):
-        raise UsageError(f"channel '{name}': a number, or {n} of them, one for each target, were expected.") from None
+        raise WrongArray(f"channel '{name}': a number, or {n} of them, one for each target, were expected.") from None
     if np.isinf(values).any():
-        raise UsageError(f"channel '{name}': a finite number was expected.")
+        raise WrongArray(f"channel '{name}': a finite number was expected.")
     wrong, expected = impossible(name, values)
     if wrong.any():
-        raise UsageError(f"channel '{name}' holds {values[np.argmax(wrong)]:g}: {expected}.")
+        raise WrongArray(f"channel '{name}' holds {values[np.argmax(wrong)]:g}: {expected}.")

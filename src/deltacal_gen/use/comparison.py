@@ -12,7 +12,7 @@ from typing import Protocol
 
 import numpy as np
 
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import OtherMachine, WrongFile
 from deltacal_gen.files.robot import Robot, robot_of
 from deltacal_gen.identification.accuracy import check_joints
 from deltacal_gen.machine.differences import between
@@ -51,20 +51,20 @@ def compare(before: Calibration, after: Calibration) -> Comparison:
     """
     first, second = robot_of(before.robot), robot_of(after.robot)
     if first.mechanism != second.mechanism:
-        raise InputError(
+        raise OtherMachine(
             f"the results are of different machines: {first.mechanism} and {second.mechanism}.",
             "Give two sessions of one machine.",
         )
     mechanism = mechanism_of(first)
     files, other = between(mechanism, first, second)
     if other:
-        raise InputError(
+        raise OtherMachine(
             f"the robot files differ in {', '.join(other)}, which no parameter of the model carries.",
             "Identify both sessions from the same robot file.",
         )
     told = [{p.name: p for p in r.parameters} for r in (before, after)]
     if missing := [p.name for p in mechanism.parameters if any(p.name not in t for t in told)]:
-        raise InputError(f"a result does not hold {missing[0]}.", "Give the file as it was written.")
+        raise WrongFile(f"a result does not hold {missing[0]}.", "Give the file as it was written.")
     entries = []
     for p in mechanism.parameters:
         a, b = (t[p.name] for t in told)
@@ -94,7 +94,7 @@ def compare_in_motion(before: MotionResult | MotionDiagnosis, after: MotionResul
         Results of different machines, or a result and a diagnosis.
     """
     if type(before) is not type(after) or before.inertial != after.inertial or before.columns != after.columns:
-        raise InputError(
+        raise WrongFile(
             "the answers are not of one kind: of the same machine and reading, both of identify or both of diagnose.",
             "Give two sessions of one machine.",
         )

@@ -28,7 +28,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from deltacal_gen.errors import InputError, NoSolutionError, UsageError
+from deltacal_gen.errors import MissingChannel, NotForThisMachine, OptionNotApplicable, OutOfReach, UnknownName
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.identification.accuracy import turned, workspace_of
 from deltacal_gen.machine.answers import result
@@ -135,13 +135,13 @@ class Compensator:
             terms, begun, corrected = terms or known_effects(robot), robot.begun_s, robot.correction is not None
             robot = calibrated_robot(robot)
         if kind not in [*CompensatorKind]:
-            raise UsageError(f"there is no compensator '{kind}'; there are {' and '.join(CompensatorKind)}.")
+            raise UnknownName(f"there is no compensator '{kind}'; there are {' and '.join(CompensatorKind)}.")
         own = robot, CompensatorKind(kind), terms, begun, corrected
         for field, value in zip(dataclasses.fields(self), own, strict=True):
             object.__setattr__(self, field.name, value)
         if self.kind is CompensatorKind.LINEAR and self.effects:
             named = ", ".join(t.effect for t in self.effects)
-            raise UsageError(f"the linear compensator knows geometry only, not {named}. Use the exact one.")
+            raise OptionNotApplicable(f"the linear compensator knows geometry only, not {named}. Use the exact one.")
 
     def __repr__(self) -> str:
         known = ", ".join(["geometry", *(t.effect for t in self.effects)])
@@ -254,10 +254,12 @@ class Compensator:
             The machine has effects, which this function does not know; or the change is asked of the exact compensator.
         """
         if change and self.kind is not CompensatorKind.LINEAR:
-            raise UsageError(f"the {self.kind} compensator has no change to nominal joints; the linear one has.")
+            raise OptionNotApplicable(
+                f"the {self.kind} compensator has no change to nominal joints; the linear one has."
+            )
         self.needs_loops("compiled function")
         if self.effects:
-            raise UsageError(
+            raise OptionNotApplicable(
                 "the compiled function knows geometry only; export C or a table for a machine with "
                 + ", ".join(t.effect for t in self.effects)
                 + "."
@@ -290,7 +292,7 @@ class Compensator:
         """Raise UsageError where an effect remembers: what is exported knows one target at a time."""
         if self.remembers:
             late = dict.fromkeys(term.effect for term in self.effects if remembers(term.kernels))
-            raise UsageError(
+            raise NotForThisMachine(
                 f"{', '.join(late)}: there is no {what} of what remembers how the machine came to a target. Write the "
                 "joints of your targets, which say time_s: deltacal compensate RESULT TARGETS -o JOINTS."
             )
@@ -298,7 +300,7 @@ class Compensator:
     def needs_loops(self, what: str) -> None:
         """Raise UsageError for a machine without an inverse in closed form to be written out."""
         if not self.mechanism.written_out:
-            raise UsageError(
+            raise NotForThisMachine(
                 f"there is no {what} for {self.mechanism.sort}: how it stands is part of every command. "
                 "Give targets: joints, or x_mm ... rz_deg, and their commands come as a table."
             )
@@ -386,7 +388,7 @@ class Compensator:
         body = Body(self.robot, self.mechanism, q, tool, at)
         for term in effects:
             if why := body.missing(term):
-                raise InputError(f"the effect '{term.effect}' needs {why}.", "Add it.", file=self.robot.source)
+                raise MissingChannel(f"the effect '{term.effect}' needs {why}.", "Add it.", file=self.robot.source)
         return body, *body.solve(self.mechanism.vector(self.robot.errors), effects)
 
     def beyond_laws(self, joints: Array, tool: Array | None = None, channels: Channels | None = None) -> np.ndarray:
@@ -416,7 +418,7 @@ class Compensator:
         if failed := np.flatnonzero((status != SOLVED) | beyond.any(axis=1)).tolist():
             named = [self._flaw(n, targets[n], joints[n], status[n], beyond[n]) for n in failed[:_NAMED]]
             more = [f"and {len(failed) - _NAMED} more"] if len(failed) > _NAMED else []
-            raise NoSolutionError(
+            raise OutOfReach(
                 "\n  ".join([f"{len(failed)} of {len(targets)} targets have no joint command:", *named, *more])
                 + "\nMove them into the workspace, or leave them out."
             )
@@ -481,7 +483,7 @@ class Compensator:
         targets = turned(self.robot, workspace_points(workspace_of(self.robot)))
         error = np.linalg.norm(self.leftover(targets), axis=1)
         if np.isnan(error).all():
-            raise NoSolutionError(
+            raise OutOfReach(
                 "no point of the workspace is within the machine's reach. "
                 "Check [workspace] and the lengths in [geometry]; top is counted from the base plane."
             )

@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy as np
 from scipy.optimize import least_squares
 
-from deltacal_gen.errors import NoSolutionError, UsageError
+from deltacal_gen.errors import NoImprovement, NotForThisMachine
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.files.printers import ANGLES, DECIMALS
 from deltacal_gen.files.robot import Robot, robot_of
@@ -96,7 +96,7 @@ class Firmware(Exporter):
             fit = known if known.model in (MODEL, FROM_HEIGHTS) else beside
             heldout = None if fit is None else fit.heldout_rms_mm
             if heldout is not None and heldout > known.before_rms_mm:
-                raise NoSolutionError(
+                raise NoImprovement(
                     f"the held-out error of new lines is {heldout:.4f} mm, the error of those in the file now "
                     f"{known.before_rms_mm:.4f} mm: your current values are already as good. Keep them, or probe a "
                     "mesh."
@@ -130,7 +130,7 @@ class Firmware(Exporter):
             Whether nothing but heights was read.
         """
         if robot.mechanism != PRINTER:
-            raise UsageError(f"lines of {self.name} describe a {PRINTER}, not a {robot.mechanism}.")
+            raise NotForThisMachine(f"lines of {self.name} describe a {PRINTER}, not a {robot.mechanism}.")
         mechanism = mechanism_of(robot)
         belts = self.belts and robot.transmission is not None and not heights_alone
         bed = Printed(robot, mechanism, belts=belts)
@@ -144,7 +144,7 @@ class Firmware(Exporter):
             written = bed.closest(nominal, heights_alone)
         before, after = bed.left(nominal), bed.left(written)
         if not by_readings and after.bed_rms_mm > before.bed_rms_mm + WORSE:
-            raise NoSolutionError(
+            raise NoImprovement(
                 f"lines of {self.name} for this machine would leave {after.bed_rms_mm:.4f} mm rms on the bed, those in "
                 f"the file now {before.bed_rms_mm:.4f} mm: what is wrong with it is not in the firmware's model. Keep "
                 "the lines that are there, and compensate the bed by a mesh."

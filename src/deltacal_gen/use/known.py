@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import BadValue, InconsistentResult, InputError, WrongFile
 from deltacal_gen.files.robot import robot_of
 from deltacal_gen.instrument.kinds import instrument_of
 from deltacal_gen.machine.registry import mechanism_of
@@ -54,12 +54,16 @@ def known_model(source: Given) -> Known:
             unpacked(found.uncertainty.factor if found.uncertainty else np.zeros(0))
         for name in _effects(found):
             if not is_law(name) and name not in (*effect_names(), *drive_effect_names()):
-                raise InputError(f"there is no effect '{name}'.", "Add its file, and run deltacal kernels.")
+                raise BadValue(f"there is no effect '{name}'.", "Add its file, and run deltacal kernels.")
             load_effect(name)
     except (InputError, ValueError) as error:  # the second of a formula, a rotation or a triangle that is none
-        said = error if isinstance(error, InputError) else InputError(f"{error}.", "Give the file as it was written.")
+        said = (
+            error
+            if isinstance(error, InputError)
+            else InconsistentResult(f"{error}.", "Give the file as it was written.")
+        )
         file = None if isinstance(source, Mapping) else Path(source)
-        raise InputError(said.problem, said.remedy, file=file, line=said.line, column=said.column) from None
+        raise InconsistentResult(said.problem, said.remedy, file=file, line=said.line, column=said.column) from None
     return found
 
 
@@ -73,7 +77,7 @@ def _effects(found: Known) -> Iterator[str]:
 
 def _at_rest(found: Known, source: Given) -> Result | Diagnosis:
     if isinstance(found, MotionModel):
-        raise InputError(
+        raise WrongFile(
             "this is of a recording in motion, kind torque: it tells torques, and no geometry.",
             "predict, validate and compare take it; for this, give what was made of a recording of positions.",
             file=None if isinstance(source, Mapping) else Path(source),

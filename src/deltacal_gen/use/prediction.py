@@ -13,7 +13,7 @@ import numpy as np
 from deltacal_gen.diagnosis.correction import Smooth, displacement, holding
 from deltacal_gen.diagnosis.harmonics import turns
 from deltacal_gen.diagnosis.spectrum import standing
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import MissingChannel, UnknownSetup, WrongFile, WrongKind
 from deltacal_gen.estimation.fit import fit
 from deltacal_gen.estimation.problem import Problem, pose_problem
 from deltacal_gen.estimation.solvers import LeastSquares
@@ -260,7 +260,7 @@ def prediction_problem(
     problem, instrument = _with_instrument(result, problem, place)
     for term in problem.held:
         if why := problem.body.missing(term):
-            raise InputError(
+            raise MissingChannel(
                 f"what was diagnosed ({term.effect}) needs {why}.",
                 f"Add it, with the values at which the readings are to be predicted{_made_of(term, recording)}.",
                 file=recording.path,
@@ -327,7 +327,7 @@ def place_of(other: Recording, asked: Recording) -> Place:
         It is the recording that is asked for, or holds no reading.
     """
     if Path(other.path).resolve() == Path(asked.path).resolve():
-        raise InputError(
+        raise WrongFile(
             "the file would place the instrument by the readings that are to be predicted.",
             "Give readings of other poses from the same set-up.",
             file=other.path,
@@ -372,14 +372,14 @@ def _with_instrument(result: Known, problem: Problem, place: Place | None) -> tu
         row |= {name: len(state) - len(placed.state) + k for k, name in enumerate(sorted(anew))}
         instrument = dataclasses.replace(placed, state=state)
     elif instrument is None:
-        raise InputError(
+        raise WrongKind(
             f"the result was identified from readings of the kind '{given.kind.name}' and knows no frame for "
             f"'{found.kind.name}'.",
             f'Give readings of the kind {given.kind.name}, or say frame = "robot" in the sidecar.',
             file=recording.path,
         )
     elif unknown:
-        raise InputError(
+        raise UnknownSetup(
             f"the result knows no frame of the set-up '{unknown[0]}'; it knows {', '.join(names)}.",
             "Give readings of that set-up at other poses: predict --place OTHER.csv.",
             file=recording.path,
@@ -403,7 +403,7 @@ def _placed(result: Known, place: Place, anew: frozenset[str]) -> Instrument:
     found = dataclasses.replace(found, setup=code[found.setup])
     for k, name in enumerate(names):
         if not (found.setup == k).any():
-            raise InputError(
+            raise UnknownSetup(
                 f"there is no reading that says where the set-up '{name}' stands.",
                 "Measure some poses from there.",
                 file=recording.path,
@@ -429,7 +429,7 @@ def _check_seen(problem: Problem, instrument: Instrument, machine: Deformed, nam
         rows = own.reshape(-1, own.shape[2])
         sizes = np.linalg.svd(rows[np.isfinite(rows).all(axis=1)], compute_uv=False)
         if len(sizes) < len(instrument.free) or sizes[len(instrument.free) - 1] <= LEAST_SEEN * sizes[0]:
-            raise InputError(
+            raise UnknownSetup(
                 f"the {mine.sum()} readings of the set-up '{name}' leave open where it stands.",
                 "Measure at least four poses from there that do not lie on a line.",
                 file=problem.recording.path,

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from deltacal_gen.errors import UsageError
+from deltacal_gen.errors import NotForThisMachine
 from deltacal_gen.files.robot import robot_of, robot_size
 from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.machine.dynamics import Dynamics, dynamics_of
@@ -53,10 +53,10 @@ def servo_source(known: MotionModel) -> str:
     own = dynamics_of(robot)
     models = {model.joint: model for model in known.joints}
     if still := [str(i + 1) for i in range(own.joints) if i + 1 not in models]:
-        raise UsageError(f"joint {', '.join(still)} did not move in the recording: its torque is not known.")
+        raise NotForThisMachine(f"joint {', '.join(still)} did not move in the recording: its torque is not known.")
     joints = [models[i + 1] for i in range(own.joints)]
     if known.known is not None and any(each.mass for each in known.known.payloads):
-        raise UsageError(
+        raise NotForThisMachine(
             "payload_error belongs to a set-up, which a controller does not know: correct payload_kg in the recording, "
             "and diagnose again."
         )
@@ -156,12 +156,12 @@ def _effects(joints: Sequence[JointModel]) -> list[str]:
     names = list(dict.fromkeys(term.effect for model in joints for term in model.terms))
     for name in names:
         if is_law(name):
-            raise UsageError(
+            raise NotForThisMachine(
                 f"C is made of derived effects, and '{name}' is a law. Write it down (deltacal diagnose "
                 "--write-effect), derive it (deltacal kernels), and diagnose again."
             )
         if lacking := [s.name for s in read_by(load_effect(name)) if s.joint or not s.c99_drive]:
-            raise UsageError(
+            raise NotForThisMachine(
                 f"{name} depends on '{lacking[0]}', which a controller does not have: it cannot be exported."
             )
     return names

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import BadValue
 from deltacal_gen.files.checks import impossible
 from deltacal_gen.files.recording import targets_of
 from deltacal_gen.files.robot import robot_of
@@ -55,7 +55,7 @@ def feed_forward(known: MotionModel, path: str | Path) -> FeedForward:
         wrong, expected = impossible(name, values)
         if wrong.any():
             row = int(np.argmax(wrong))
-            raise InputError(f"{expected}.", "Correct the cell.", file=path, line=int(given.line[row]), column=name)
+            raise BadValue(f"{expected}.", "Correct the cell.", file=path, line=int(given.line[row]), column=name)
     return fed_forward(known, given)
 
 

@@ -13,16 +13,16 @@ import io
 import os
 import sys
 import traceback
-from typing import Any, NoReturn
+from typing import NoReturn
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # the matrices are small: threads only wait for one another
 
-from cyclopts import CycloptsError, UnknownOptionError
+from cyclopts import CycloptsError
 
 from deltacal_gen.app.cli.application import application
 from deltacal_gen.app.cli.table import RENAMED
 from deltacal_gen.app.cli.terminal import Terminal
-from deltacal_gen.errors import DeltacalError, InputError, UsageError
+from deltacal_gen.errors import CommandLine, DeltacalError, UsageError
 from deltacal_gen.version import __version__
 
 FAULT = 70  # EX_SOFTWARE of sysexits.h
@@ -47,28 +47,24 @@ def _code(words: list[str]) -> int:
         code = application(words)(words or ["--help"], exit_on_error=False, print_error=False)
         return (code or 0) if words else UsageError.exit_code
     except CycloptsError as error:
-        terminal.fail("error", _misused(error, words), exit_code=UsageError.exit_code)
-        return UsageError.exit_code
+        return terminal.fail(CommandLine(_misused(error, words)))
     except DeltacalError as error:
-        where: dict[str, Any] = {}
-        if isinstance(error, InputError):
-            where = {"file": error.file and str(error.file), "line": error.line, "column": error.column}
-        terminal.fail("error", str(error), exit_code=error.exit_code, **where)
-        return error.exit_code
+        return terminal.fail(error)
     except KeyboardInterrupt:
         return STOPPED
     except Exception as error:
         if os.environ.get(TRACEBACK) or "--verbose" in words:
             traceback.print_exception(error)
-        terminal.fail("fault", _fault(error), exit_code=FAULT)
+        terminal.warn(_fault(error), "fault")
         return FAULT
 
 
 def _misused(error: CycloptsError, words: list[str]) -> str:
     """Return in words what is wrong with a command line, and where the help is."""
     command = words[0] if words and not words[0].startswith("-") else ""
-    if isinstance(error, UnknownOptionError) and (new := RENAMED.get(command, {}).get(error.token.keyword or "")):
-        return f"{error.token.keyword} of {command} is now called {new}."
+    renamed = RENAMED.get(command, {})
+    if old := next((word for word in words if word in renamed), None):
+        return f"{old} of {command} is now called {renamed[old]}."
     return f"{' '.join(str(error).split())} See: deltacal {command} --help"
 
 

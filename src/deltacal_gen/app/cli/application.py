@@ -16,7 +16,7 @@ from deltacal_gen.app.cli import receipts
 from deltacal_gen.app.cli.signatures import GIVEN, WAY, Signature, option_of
 from deltacal_gen.app.cli.table import COMMANDS, Command
 from deltacal_gen.app.cli.terminal import Terminal
-from deltacal_gen.errors import UsageError
+from deltacal_gen.errors import OptionMissing, OptionNotApplicable, ValueOutOfRange
 
 FILES = ("output", "report", "picture", "write_effect")  # parameters that name a file to write
 OUTPUT = Group("Output", sort_key=100)  # options of every command
@@ -111,7 +111,7 @@ def _run(command: Command, given: dict[str, Any]) -> int:
     shown = {key: given.pop(key, False) for key in SHOWN}
     aside = any(isinstance(value, Path) and is_standard_output(value) for value in given.values())
     if aside and shown["as_json"]:
-        raise UsageError("--json and a file would both go to the standard output; leave one of them out.")
+        raise ValueOutOfRange("--json and a file would both go to the standard output; leave one of them out.")
     set_decimal_mark(given.pop("decimal", None))
     terminal = Terminal(**shown, aside=aside)
     notes: list[str] = []
@@ -149,9 +149,9 @@ def _call(function: Callable[..., Any], given: Mapping[str, Any], choosers: Sequ
             call.arguments[key] = value if not key.startswith(WAY) else True
         elif key not in choosers:
             what = (function.__doc__ or "").partition("\n")[0].rstrip(".")
-            raise UsageError(f"{option_of(key)} means nothing here ({what}); leave it out.")
+            raise OptionNotApplicable(f"{option_of(key)} means nothing here ({what}); leave it out.")
     for key, parameter in signature.parameters.items():
         if parameter.default is parameter.empty and key not in call.arguments and parameter.kind in GIVEN:
             positional = parameter.kind is not parameter.KEYWORD_ONLY
-            raise UsageError(f"{key.upper() if positional else option_of(key)} is needed here; give it.")
+            raise OptionMissing(f"{key.upper() if positional else option_of(key)} is needed here; give it.")
     return call

@@ -113,6 +113,6 @@ def page(found: str, given: Given, told: Told) -> Any:
     from deltacal_gen.pages.manual import CONTENTS
     from deltacal_gen.results.written import Manual
 
-    topic = given.get("topic")
+    topic = given.get("topic") or given.get("code")
     files = tuple(found.splitlines()) if topic is None and "examples" in given else ()
     return Manual(topic=topic or CONTENTS, text=None if files else found, files=files)

@@ -66,6 +66,7 @@ COMMANDS: dict[str, dict[str, Command]] = {  # by their group in the help
     "Start": {
         "demo": Command(("demo",)),
         "manual": Command(("manual",), receipt=receipts.page),
+        "explain": Command(("explain",), receipt=receipts.page),
     },
     "Calibrate": {
         "models": Command(("models",)),

@@ -12,6 +12,8 @@ from typing import Any
 from rich.console import Console
 from rich.markup import escape
 
+from deltacal_gen.errors import DeltacalError
+
 
 class Terminal:
     """The two streams of a command.
@@ -37,16 +39,18 @@ class Terminal:
         """Print words for a person."""
         self._words.print(words, markup=False)
 
-    def warn(self, words: str) -> None:
-        """Print words that do not belong to the answer."""
-        if not self.quiet:
-            self._aside.print(words, markup=False, soft_wrap=True)
+    def warn(self, words: str, what: str) -> None:
+        """Print words that do not belong to the answer, after what they are."""
+        self._aside.print(f"[bold red]{escape(what)}:[/bold red] {escape(words)}", soft_wrap=True)
 
-    def fail(self, what: str, words: str, **more: object) -> None:
-        """Print an error: what sort it is, and its words; the JSON holds more."""
+    def fail(self, error: DeltacalError) -> int:
+        """Print an error, with the code of its family; return the exit code."""
         if self.as_json:
-            self._write({"schema": "deltacal.error/1", "error": words, **more})
-        self._aside.print(f"[bold red]{what}:[/bold red] {escape(words)}", soft_wrap=True)
+            where = {name: getattr(error, name, None) for name in ("file", "line", "column")}
+            told = {"code": error.code, "error": str(error), "exit_code": error.exit_code}
+            self._write({"schema": "deltacal.error/1", **told, **where, "file": where["file"] and str(where["file"])})
+        self.warn(str(error), f"error[{error.code}]")
+        return error.exit_code
 
     def show(self, answer: Any) -> None:
         """Print an answer, or several, as it was asked for."""
@@ -120,5 +124,5 @@ class Terminal:
             try:
                 yield lambda done, total, label: progress.update(bar, completed=done, total=total, description=label)
             except KeyboardInterrupt:
-                self.warn("stopped; what a run directory holds is kept, and the same command goes on from there")
+                self.warn("what a run directory holds is kept, and the same command goes on from there", "stopped")
                 raise

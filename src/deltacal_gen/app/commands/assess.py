@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Literal, cast
 
 from deltacal_gen.app.commands.common import Source, as_recording, check_output, made, moving_like, write_json
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import ReadingsAlreadySeen, WrongFile
 
 if TYPE_CHECKING:
     from deltacal_gen.app.commands.common import AnyRecording
@@ -168,7 +168,7 @@ def certificate(
 def _check_unseen(own: tuple[InputFile, ...], fitted: tuple[InputFile, ...], validation: AnyRecording) -> None:
     """Raise an InputError where the readings are those of the fit."""
     if isinstance(validation, str | Path) and (name := _seen(own, fitted)) is not None:
-        raise InputError(
+        raise ReadingsAlreadySeen(
             f"the calibration was made of these readings ('{name}'), so that they are no check of it.",
             "Give readings that took no part in it.",
             file=validation,
@@ -233,7 +233,7 @@ def _calibration(given: Given) -> Result:
 
     found = known_result(given)
     if not isinstance(found, Result):
-        raise InputError(
+        raise WrongFile(
             "this is no result of identify.",
             "Give two files that identify wrote; of a diagnosed session: identify --physics DIAGNOSIS.json.",
             file=None if isinstance(given, Mapping) else given,

@@ -13,7 +13,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.errors import FileNotWritable, OptionNotApplicable, OutputName, WrongFile
 from deltacal_gen.version import __version__
 
 if TYPE_CHECKING:
@@ -90,7 +90,7 @@ def moving_like(recording: object) -> Torque:
     """Return a recording in motion, which a result of one needs; raises InputError where it is none."""
     found = in_motion(recording)
     if found is None:
-        raise InputError(
+        raise WrongFile(
             "the result is of a recording in motion, and this is none.",
             'Give one whose sidecar says kind = "torque" under [measurement].',
             file=recording if isinstance(recording, str | Path) else None,
@@ -103,7 +103,7 @@ def refuse_in_motion(**options: object) -> None:
     for name, value in options.items():
         if value:
             said = name.replace("_", " ")
-            raise UsageError(f"'{said}' means nothing for a recording in motion; leave it out.")
+            raise OptionNotApplicable(f"'{said}' means nothing for a recording in motion; leave it out.")
 
 
 def check_output(path: Source | None, *inputs: object, ending: Sequence[str] = ()) -> None:
@@ -116,14 +116,14 @@ def check_output(path: Source | None, *inputs: object, ending: Sequence[str] = (
     if not ending and is_stream(target):
         return
     if not str(path) or target.is_dir() or not target.name:
-        raise InputError("this is no file to write to.", "Give the name of a file.", file=target)
+        raise OutputName("this is no file to write to.", "Give the name of a file.", file=target)
     if not target.parent.is_dir():
-        raise InputError("its folder does not exist.", "Make the folder first.", file=target)
+        raise FileNotWritable("its folder does not exist.", "Make the folder first.", file=target)
     if ending and target.suffix not in ending:
-        raise InputError(f"its name ends with none of {', '.join(ending)}.", "Change the ending.", file=target)
+        raise OutputName(f"its name ends with none of {', '.join(ending)}.", "Change the ending.", file=target)
     given = [Path(i) for i in inputs if isinstance(i, str | Path)]
     if target.resolve() in [p.resolve() for i in given for p in (i, i.with_suffix(".toml"))]:
-        raise InputError("the output would overwrite an input or another output.", "Choose another name.", file=target)
+        raise OutputName("the output would overwrite an input or another output.", "Choose another name.", file=target)
 
 
 def made(*inputs: object, measured: Recording | None = None) -> Made:
@@ -167,4 +167,4 @@ def write_json(answer: Answer, path: Source) -> None:
 def check_folder(path: Source) -> None:
     """Refuse a folder for outputs that is a file."""
     if Path(path).exists() and not Path(path).is_dir():
-        raise InputError("this is a file, and a folder is needed.", "Choose another name.", file=path)
+        raise OutputName("this is a file, and a folder is needed.", "Choose another name.", file=path)

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, cast
 
 from deltacal_gen.app.commands.common import Source, as_recording, as_robot, check_output, in_motion
-from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.errors import OptionNotApplicable, ValueOutOfRange, WrongFile
 
 if TYPE_CHECKING:
     from deltacal_gen.app.commands.common import AnyRecording, AnyRobot
@@ -70,10 +70,10 @@ def simulate(
 
     check_output(output, robot, poses, truth, ending=(".csv",))
     if not 0 <= noise < math.inf or seed < 0:
-        raise UsageError("noise must be a number that is not negative, and seed an integer from 0.")
+        raise ValueOutOfRange("noise must be a number that is not negative, and seed an integer from 0.")
     if (moving := in_motion(poses)) is not None:
         if isinstance(truth, Mapping):
-            raise UsageError("the truth of a recording in motion is a file, TRUTH.toml.")
+            raise OptionNotApplicable("the truth of a recording in motion is a file, TRUTH.toml.")
         return cast("Recording", _in_motion(moving.simulate(as_robot(robot), truth, noise, seed), output, noise))
     robot = as_robot(robot)
     timed = clocks_of(poses, robot, need_measured=False)
@@ -167,12 +167,12 @@ def next_poses(diagnosis: Given, *, budget: int | None = None, output: Source | 
 
     check_output(output, diagnosis)
     if budget is not None and budget < 1:
-        raise UsageError(f"a budget of {budget} rows is none; give 1 or more.")
+        raise ValueOutOfRange(f"a budget of {budget} rows is none; give 1 or more.")
     known = known_model(diagnosis)
     if isinstance(known, MotionDiagnosis):
         return _next_runs(known, output, budget)
     if not isinstance(known, Diagnosis):
-        raise InputError("this is no diagnosis, and leaves no question open.", "Give what deltacal diagnose wrote.")
+        raise WrongFile("this is no diagnosis, and leaves no question open.", "Give what deltacal diagnose wrote.")
     questions = experiments.open_questions(known)
     found = experiments.shared(questions, budget) if questions else experiments.Shared((), ())
     rows = experiments.next_rows(questions, found)
@@ -195,7 +195,7 @@ def _next_runs(known: MotionDiagnosis, output: Source | None, budget: int | None
 
     file = None if output is None else Path(output)
     if budget is not None:
-        raise UsageError(
+        raise OptionNotApplicable(
             "a diagnosis in motion asks for runs, of which rows are not counted; leave --budget out, or plan as many "
             f"runs as may be: {runs.command(known, file)}"
         )

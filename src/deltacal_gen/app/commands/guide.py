@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from deltacal_gen.app.commands.common import Progress, Source, check_folder, silent
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import OutputName, UnknownName
 
 if TYPE_CHECKING:
     from deltacal_gen.results.demo import Demo
@@ -67,6 +67,33 @@ def manual(topic: str | None = None, *, examples: Source | None = None) -> str:
     return pages.read(topic or pages.CONTENTS).text
 
 
+def explain(code: str) -> str:
+    """Explain the code of an error: what it means, and what to do.
+
+    Parameters
+    ----------
+    code : str
+        As it stands in brackets before the message: missing-column.
+
+    Raises
+    ------
+    UsageError
+        There is no such code; all are named.
+
+    Examples
+    --------
+    deltacal explain missing-column
+    """
+    from inspect import getdoc
+
+    from deltacal_gen.errors import families
+
+    known = families()
+    if code not in known:
+        raise UnknownName(f"there is no code '{code}'; known: {', '.join(sorted(known))}.")
+    return f"# {code}\n\n{getdoc(known[code])}\n\nThe exit code is {known[code].exit_code}.\n"
+
+
 def manual_examples(folder: Source) -> list[Path]:
     """Copy the examples on which the manual's commands run into `folder`; return their folders.
 
@@ -83,7 +110,7 @@ def manual_examples(folder: Source) -> list[Path]:
     sources = [p for p in sorted(example("").glob("*/*")) if p.is_file() and p.suffix not in (".png", ".svg")]
     copies = {Path(folder) / p.parent.name / p.name: p for p in sources}
     if changed := next((c for c, p in copies.items() if c.exists() and c.read_bytes() != p.read_bytes()), None):
-        raise InputError("this is there already, and is not as it comes.", "Choose another folder.", file=changed)
+        raise OutputName("this is there already, and is not as it comes.", "Choose another folder.", file=changed)
     for copy, source in copies.items():
         copy.parent.mkdir(parents=True, exist_ok=True)
         if not copy.exists():

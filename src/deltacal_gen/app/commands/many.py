@@ -16,7 +16,7 @@ from deltacal_gen.app.commands.common import (
     untold,
     write_json,
 )
-from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.errors import MissingChannel, NoiseUnknown, OptionNotApplicable, ValueOutOfRange
 
 if TYPE_CHECKING:
     from deltacal_gen.app.commands.common import AnyRecording, AnyRobot
@@ -94,13 +94,13 @@ def study(
     from deltacal_gen.planning import studies
 
     if in_motion(plan) is not None:
-        raise UsageError(
+        raise OptionNotApplicable(
             "a study is of poses, and this is a trajectory: deltacal plan --kind torque says how well it determines "
             "bodies and friction; simulate and diagnose try it on a machine."
         )
     if trials < 1 or diagnoses < 1 or seed < 0 or (noise is not None and not LEAST <= noise <= MOST):
         bounds = f"noise from {LEAST:g} to {MOST:g}"
-        raise UsageError(f"trials and diagnoses must be at least 1, {bounds}, and seed an integer from 0.")
+        raise ValueOutOfRange(f"trials and diagnoses must be at least 1, {bounds}, and seed an integer from 0.")
     check_output(output, robot, plan, *suspect)
     check_output(report, robot, plan, output, *suspect)
     machines, chosen = _machines(robot, plan, model, machine, noise, suspect, seed)
@@ -145,13 +145,13 @@ def _machines(
     unit = kind.unit_in(poses.columns)
     said = poses.measurement if noise is None else Measurement().with_noise(unit, noise)
     if kind.sigma(said, 1.0) is None:
-        raise InputError(
+        raise NoiseUnknown(
             "nothing says how well the instrument reads.",
             f"Add sigma_{unit} to the sidecar, or --noise.",
             file=poses.path,
         )
     if kind.sees_joints and not suspects:
-        raise InputError(
+        raise MissingChannel(
             "these readings see no source error: of such a plan can only be said what a diagnosis would find.",
             "Give --suspect TRUTH.toml.",
             file=poses.path,

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from deltacal_gen.app import checkout
 from deltacal_gen.app.commands.common import Progress, Source, check_folder, check_output, silent
-from deltacal_gen.errors import UsageError
+from deltacal_gen.errors import OptionNotApplicable, UnknownName
 
 if TYPE_CHECKING:
     from deltacal_gen.results.registered import Claims, Effects, Mechanisms
@@ -104,7 +104,7 @@ def effects(name: str | None = None) -> Effects:
 def _named(name: str, known: Sequence[str], what: str) -> tuple[str]:
     """Return the name alone; raises UsageError where it is not known."""
     if name not in known:
-        raise UsageError(f"there is no {what} '{name}'; known: {', '.join(known)}.")
+        raise UnknownName(f"there is no {what} '{name}'; known: {', '.join(known)}.")
     return (name,)
 
 
@@ -202,7 +202,7 @@ def derivation(
     from deltacal_gen.results.written import Derivation
 
     if (model is None) != all_:
-        raise UsageError("give a model, a mechanism, an effect or a measurement, or else --all.")
+        raise OptionNotApplicable("give a model, a mechanism, an effect or a measurement, or else --all.")
     target = Path(output)
     if model is not None:
         check_output(output, ending=(".html", ".md"))

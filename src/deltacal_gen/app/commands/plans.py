@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Literal
 
 from deltacal_gen.app.commands.common import PICTURES, Source, as_robot, check_output
-from deltacal_gen.errors import UsageError
+from deltacal_gen.errors import OptionNotApplicable, UnknownModel
 
 if TYPE_CHECKING:
     from deltacal_gen.app.commands.common import AnyRobot
@@ -94,7 +94,7 @@ def plan(
     check_output(output, robot)
     check_output(picture, robot, output, ending=PICTURES)
     if (function := planner(robot, kind, model, sidecar)) != plan.__name__:
-        raise UsageError(f"these are no poses: {function} plans what is measured here.")
+        raise OptionNotApplicable(f"these are no poses: {function} plans what is measured here.")
     machine, name = _with_model(as_robot(robot), model)
     said = None if sidecar is None else read_measurement(sidecar)
     how: dict[str, Any] = {"kind": kind or (said and said.kind), "tools": points, "singular": singular, "said": said}
@@ -111,9 +111,9 @@ def plan(
         how["kind"] = how["kind"] or (gauge and MOUNTED)
         found = planning.plan_poses(machine, name, **how, **rings)
     elif gauge is not None:
-        raise UsageError("D-optimal sets are chosen for positions and distances, not for a gauge.")
+        raise OptionNotApplicable("D-optimal sets are chosen for positions and distances, not for a gauge.")
     elif rings:
-        raise UsageError(f"{', '.join(rings)}: of rings, and means nothing for a D-optimal set; leave it out.")
+        raise OptionNotApplicable(f"{', '.join(rings)}: of rings, and means nothing for a D-optimal set; leave it out.")
     else:
         found = plan_optimal_poses(machine, name, optimal, **how)
     if output is not None:
@@ -134,7 +134,7 @@ def _with_model(robot: Robot, model: str | int | None) -> tuple[Robot, str]:
     first, *others = mechanism_of(robot).models
     if model is None and others:
         names = ", ".join((first, *others))
-        raise UsageError(f"give the model whose parameters the poses shall determine: --model {names}.")
+        raise UnknownModel(f"give the model whose parameters the poses shall determine: --model {names}.")
     name = first if model is None else str(model)
     return for_model(robot, name), name
 

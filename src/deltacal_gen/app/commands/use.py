@@ -16,7 +16,7 @@ from deltacal_gen.app.commands.common import (
     refuse_in_motion,
     silent,
 )
-from deltacal_gen.errors import UsageError
+from deltacal_gen.errors import NotForThisMachine, OptionMissing, OptionNotApplicable
 
 if TYPE_CHECKING:
     from deltacal_gen.app.commands.common import AnyRecording
@@ -101,7 +101,7 @@ def compensate(
     commanded.check_channels(channels or {}, compensator, known, len(wanted.positions))
     found = commanded.commanded(known, compensator, wanted, tell)
     if bands and output is None:
-        raise UsageError("bands stand beside the commands in a file: give -o JOINTS.csv.")
+        raise OptionMissing("bands stand beside the commands in a file: give -o JOINTS.csv.")
     if output is not None:
         table = found.table()
         if bands:
@@ -200,7 +200,7 @@ def feed_forward(
     check_output(output, result, targets)
     known = known_model(result)
     if not isinstance(known, MotionModel):
-        raise UsageError("torques along a trajectory need a result of a recording in motion (kind torque).")
+        raise OptionNotApplicable("torques along a trajectory need a result of a recording in motion (kind torque).")
     found = along.feed_forward(known, targets)
     for words in (*found.given.repairs, along.blanks(found), along.bent(found)):
         if words is not None:
@@ -244,7 +244,7 @@ def firmware_lines(result: Given, kind: str, *, output: Source | None = None, te
     check_output(output, result)
     known, exporter = known_result(result), exporters.exporter_of(kind)
     if not isinstance(exporter, firmware.Firmware):
-        raise UsageError(f"an export '{kind}' has no lines of a printer's firmware.")
+        raise NotForThisMachine(f"an export '{kind}' has no lines of a printer's firmware.")
     found = exporter.lines_of(known)
     _tell_of_correction(known, tell)
     if output is not None:

@@ -15,7 +15,7 @@ from pathlib import Path
 
 import numpy as np
 
-from deltacal_gen.errors import UsageError
+from deltacal_gen.errors import NotForThisMachine, ValueOutOfRange
 from deltacal_gen.physics.formula import FUNCTIONS, LAG, Unit, unit, written
 from deltacal_gen.physics.law import PREFIX, Law, inside, load_law
 from deltacal_gen.results.diagnosis import LawOf, LawTerm
@@ -50,7 +50,7 @@ def effect_file(told: LawOf, path: Path) -> str:
     parts = _parts(told.terms)
     acts_on = {p.law.ACTS_ON for p in parts}
     if len(acts_on) > 1:
-        raise UsageError(f"the law moves {' and '.join(sorted(acts_on))}: write an effect for each by hand.")
+        raise NotForThisMachine(f"the law moves {' and '.join(sorted(acts_on))}: write an effect for each by hand.")
     states = list(dict.fromkeys(s for p in parts for s in p.law.STATE))
     lags = bool([lag for p in parts for lag in p.law.lags])
     targets: dict[str, list[str]] = {}
@@ -99,7 +99,7 @@ def effect_name(path: Path) -> str:
         It is none.
     """
     if not path.stem.isidentifier() or path.stem != path.stem.lower() or path.suffix != ".py":
-        raise UsageError(f"'{path.name}' names no effect: give a file like oil_creep.py.")
+        raise ValueOutOfRange(f"'{path.name}' names no effect: give a file like oil_creep.py.")
     return path.stem
 
 

@@ -13,7 +13,7 @@ import pkgutil
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from deltacal_gen.errors import UsageError
+from deltacal_gen.errors import UnknownName
 
 if TYPE_CHECKING:
     from deltacal_gen.files.imported import Imported
@@ -30,6 +30,6 @@ def names() -> tuple[str, ...]:
 def importer(kind: str) -> Callable[..., Imported]:
     """Return the function that imports a kind; raises UsageError where there is none."""
     if kind not in names():
-        raise UsageError(f"there is no import '{kind}'; known: {', '.join(names())}.")
+        raise UnknownName(f"there is no import '{kind}'; known: {', '.join(names())}.")
     read: Callable[..., Imported] = getattr(importlib.import_module(f"{__name__}.{kind}"), PREFIX + kind)
     return read

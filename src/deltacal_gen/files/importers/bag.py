@@ -16,7 +16,7 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import Field
 
-from deltacal_gen.errors import DeltacalError, InputError, UsageError
+from deltacal_gen.errors import DeltacalError, FileNotReadable, ImportUnclear, NotInstalled, ValueOutOfRange
 from deltacal_gen.files.imported import Imported, robot_with, write_import
 from deltacal_gen.files.naming import listed, naming
 from deltacal_gen.files.quaternions import rotation_vector
@@ -127,7 +127,7 @@ def _logged(bag: Any, topic: str, take: Callable[[Any], list[float]]) -> tuple[S
         try:
             values.append(take(message))
         except (AttributeError, IndexError, KeyError, TypeError, ValueError) as error:
-            raise InputError(
+            raise ImportUnclear(
                 f"a message of {topic} is not as the mapping says: {error}.",
                 "Say in the file of --mapping which parts of the message are meant: fields = [...].",
             ) from None
@@ -136,7 +136,7 @@ def _logged(bag: Any, topic: str, take: Callable[[Any], list[float]]) -> tuple[S
         times.append(received * 1e-9 if stamp is None else stamp)
     if len({len(own) for own in values}) != 1:
         found = "holds messages of different lengths" if values else "is empty"
-        raise InputError(f"{topic} {found}.", "Look at the bag: ros2 bag info.")
+        raise ImportUnclear(f"{topic} {found}.", "Look at the bag: ros2 bag info.")
     return Samples(topic, np.array(times), np.array(values)), told
 
 
@@ -149,11 +149,11 @@ def _chosen(
         return fitting[0]
     if asked is None:
         found = f"several topics could be the {what}" if fitting else f"no topic holds {' or '.join(kinds)}"
-        raise InputError(f"{found}.", f"Name one, --{what} TOPIC; there are {_listed(topics)}.")
+        raise ImportUnclear(f"{found}.", f"Name one, --{what} TOPIC; there are {_listed(topics)}.")
     if asked not in topics:
-        raise InputError(f"there is no topic {asked}.", f"There are {_listed(topics)}.")
+        raise ImportUnclear(f"there is no topic {asked}.", f"There are {_listed(topics)}.")
     if not said.fields and asked not in fitting:
-        raise InputError(
+        raise ImportUnclear(
             f"{asked} holds {topics[asked]}, not {' or '.join(kinds)}.",
             f"Say in the file of --mapping which parts of it are meant: [{what}] fields = [...].",
         )
@@ -225,7 +225,9 @@ def _joint_scales(unit: str, inside: Sequence[str]) -> Array:
 
 def _scaled(values: Array, said: ReadingMap) -> Array:
     if values.shape[1] not in (3, 6):
-        raise UsageError(f"[readings] fields of the mapping names {values.shape[1]} parts; three or six were expected.")
+        raise ValueOutOfRange(
+            f"[readings] fields of the mapping names {values.shape[1]} parts; three or six were expected."
+        )
     out = values * SCALES[said.unit]
     out[:, 3:] = values[:, 3:] * SCALES[said.angles]
     return out
@@ -238,19 +240,19 @@ def _scaled(values: Array, said: ReadingMap) -> Array:
 def _opened(path: Path) -> Iterator[Any]:
     """Yield a reader of a bag of either ROS, or of a file of MCAP; raises InputError, UsageError."""
     if not path.exists():
-        raise InputError("there is no such file or folder.", "Check the path.")
+        raise FileNotReadable("there is no such file or folder.", "Check the path.")
     try:
         from rosbags.highlevel import AnyReader
         from rosbags.typesys import Stores, get_typestore
     except ImportError:
-        raise UsageError("bags need rosbags. Install it: pip install 'deltacal_gen[bags]'.") from None
+        raise NotInstalled("bags need rosbags. Install it: pip install 'deltacal_gen[bags]'.") from None
     try:
         with AnyReader([path], default_typestore=get_typestore(Stores.LATEST)) as reader:
             yield reader
     except DeltacalError:
         raise
     except Exception as error:  # of a library that lets through whatever is wrong inside a bag
-        raise InputError(
+        raise FileNotReadable(
             f"the bag cannot be read: {type(error).__name__}: {error}.".replace("..", "."),
             "Give the folder of a ROS 2 bag (with metadata.yaml), a .bag of ROS 1, or a file .mcap.",
         ) from None

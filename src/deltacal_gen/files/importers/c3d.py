@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.errors import FileFormat, FileNotReadable, ImportUnclear, NotInstalled
 from deltacal_gen.files.dialect import length_mm, text_of
 from deltacal_gen.files.imported import Imported, robot_with, write_import
 from deltacal_gen.files.lists import joints_in_time
@@ -77,10 +77,10 @@ def _chosen(captured: Captured, asked: str | None) -> str:
     names = [n for n, samples in captured.items() if np.isfinite(samples.values).any()]
     known = listed(names, FEW) or "none"
     if asked is not None and asked not in names:
-        raise InputError(f"'{asked}' was not captured.", f"There are {known}.")
+        raise ImportUnclear(f"'{asked}' was not captured.", f"There are {known}.")
     if asked is None and len(names) != 1:
         found = f"{len(names)} markers were captured" if names else "no marker was captured"
-        raise InputError(f"{found}.", f"Name one, --readings NAME; there are {known}.")
+        raise ImportUnclear(f"{found}.", f"Name one, --readings NAME; there are {known}.")
     return asked or names[0]
 
 
@@ -88,16 +88,16 @@ def _c3d(path: Path) -> Captured:
     try:
         import ezc3d
     except ImportError:
-        raise UsageError("C3D needs ezc3d. Install it: pip install 'deltacal_gen[c3d]'.") from None
+        raise NotInstalled("C3D needs ezc3d. Install it: pip install 'deltacal_gen[c3d]'.") from None
     if not path.is_file():
-        raise InputError("there is no such file.", "Check the path.")
+        raise FileNotReadable("there is no such file.", "Check the path.")
     try:
         found = ezc3d.c3d(str(path))
         told, points = found["parameters"]["POINT"], found["data"]["points"]
         labels, rate = [str(own) for own in told["LABELS"]["value"]], float(told["RATE"]["value"][0])
         unit = (told["UNITS"]["value"] or ["mm"])[0].strip()
     except Exception as error:  # of a library that lets through whatever is wrong inside a file
-        raise InputError(f"this is no C3D file: {error}.", "Export it again.") from None
+        raise FileFormat(f"this is no C3D file: {error}.", "Export it again.") from None
     first = int(found["header"]["points"]["first_frame"])
     time = (first + np.arange(points.shape[2])) / _positive(rate)
     scale = length_mm(unit)
@@ -110,7 +110,7 @@ def _table(path: Path) -> Captured:
         return _nexus(path, rows)
     head = next((k for k, row in enumerate(rows) if row and row[0].strip() == "Frame"), None)
     if head is None:
-        raise InputError(
+        raise FileFormat(
             "this is neither C3D nor a table of Motive or Nexus.",
             "Export the capture as C3D; from Motive as CSV with its header, from Nexus as ASCII with trajectories.",
         )
@@ -123,7 +123,7 @@ def _motive(path: Path, rows: Sequence[Sequence[str]], head: int) -> Captured:
     scale = length_mm(meta.get("Length Units", "Meters").strip())
     above = {row[1].strip(): row for row in rows[:head] if len(row) > 1 and row[1].strip() in ("Type", "Name")}
     if "Name" not in above:
-        raise InputError("the row with names is missing.", "Export with Motive's header.", line=head + 1)
+        raise FileFormat("the row with names is missing.", "Export with Motive's header.", line=head + 1)
     kinds = above.get("Type", [""] * len(above["Name"]))
     parts = list(zip(above["Name"], rows[head - 1], rows[head], kinds, strict=False))
     table = _below(path, rows, head + 1, ["frame", "time", *(_part(*own[:3]) for own in parts[2:])])
@@ -147,7 +147,7 @@ def _part(name: str, measured: str, axis: str) -> str:
 def _nexus(path: Path, rows: Sequence[Sequence[str]]) -> Captured:
     """Return what Nexus' ASCII holds under "Trajectories": the rate, names, axes, units, and a row to each frame."""
     if len(rows) < 6:
-        raise InputError("the table ends in its header.", "Export the trajectories again.", line=len(rows))
+        raise FileFormat("the table ends in its header.", "Export the trajectories again.", line=len(rows))
     rate = number_of(rows[1][0].strip()) if rows[1] else None
     table = _below(path, rows, 5, [f"column {k + 1}" for k in range(len(rows[3]))])
     time = table.numbers("column 1")[:, 0] / _positive(rate or 0.0)
@@ -163,7 +163,7 @@ def _below(path: Path, rows: Sequence[Sequence[str]], start: int, names: Sequenc
     """Return what stands below a header, up to the first empty row."""
     end = next((k for k in range(start, len(rows)) if not any(cell.strip() for cell in rows[k])), len(rows))
     if end <= start:
-        raise InputError("there are no frames below the header.", "Export the capture again.")
+        raise FileFormat("there are no frames below the header.", "Export the capture again.")
     filled = [[*map(str.strip, row), *[""] * (len(names) - len(row))] for row in rows[start:end]]
     columns = {name: [row[k] for row in filled] for k, name in enumerate(names)}
     return Rows(path, columns, np.arange(start, end) + 1, start)
@@ -171,5 +171,5 @@ def _below(path: Path, rows: Sequence[Sequence[str]], start: int, names: Sequenc
 
 def _positive(rate: float) -> float:
     if not rate > 0:
-        raise InputError("the rate of the frames is missing.", "Export the capture again.")
+        raise ImportUnclear("the rate of the frames is missing.", "Export the capture again.")
     return rate

@@ -19,7 +19,7 @@ from typing import Any
 
 import numpy as np
 
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import InputError, PrinterFile
 from deltacal_gen.files.imported import Imported
 from deltacal_gen.files.naming import naming
 from deltacal_gen.files.printers import ANGLES, TOWERS, done, doubt_arms, height_recording, map_recording, printer_robot
@@ -179,7 +179,7 @@ class Probed:
             why = "those of two usual pulleys fit"
         else:
             return fitting[0][1:]
-        raise InputError(
+        raise PrinterFile(
             f"the positions are in motor steps, but [stepper_a] does not say how long a step is, and {why}.",
             "Give the whole printer.cfg, with rotation_distance and microsteps (or step_distance).",
         )
@@ -198,7 +198,7 @@ class Probed:
             better = [own[1:] for own in self.usual_steps() if own[0] < most and self.placed(own[1])]
         if len(better) == 1:
             [(usual, belt)] = better
-            raise InputError(
+            raise PrinterFile(
                 f"with steps of {step[0]:g} mm the bed comes out bent and far off, and all distances are off by one "
                 f"factor of {usual / step[0]:.3g}; steps of {usual:g} mm, of a pulley of {belt:g} mm a turn, fit.",
                 "Correct rotation_distance or microsteps.",
@@ -213,7 +213,7 @@ def _check_heights(robot: Robot, recording: Recording) -> tuple[str, ...]:
     mechanism = load_mechanism(robot.mechanism)
     x, status = mechanism.forward(recording.joints[rows], robot.tool, mechanism.rows(robot))
     if (status != SOLVED).any():
-        raise InputError(
+        raise PrinterFile(
             f"at height{int(np.argmax(status != SOLVED))}_pos the carriages stand where the rods do not reach.",
             "Check rotation_distance, microsteps and arm_length: one of them does not belong to these positions.",
         )
@@ -238,7 +238,7 @@ def _check_distances(robot: Robot, recording: Recording) -> tuple[str, ...]:
     ends = [frozenset(map(tuple, recording.joints[pair].round(6).tolist())) for pair in recording.pairs]
     for j, own in enumerate(ends):
         if (i := ends.index(own)) < j:
-            raise InputError(
+            raise PrinterFile(
                 f"distance{i} and distance{j} lie between the same two points: one line was entered twice, and "
                 "another is missing.",
                 "Enter the distances again, each in its own place.",
@@ -249,7 +249,7 @@ def _check_distances(robot: Robot, recording: Recording) -> tuple[str, ...]:
     exchanged = crossed & crossed.T & ~np.eye(len(known), dtype=bool)
     for k in np.flatnonzero(np.abs(off) > ABSURD * known):
         cause = f" It agrees with distance{exchanged[k].argmax()}: the two are exchanged." if exchanged[k].any() else ""
-        raise InputError(
+        raise PrinterFile(
             f"distance{k} is {measured[k]:.2f} mm, but the printer moved {known[k]:.2f} mm between its two points: no "
             f"geometry allows that.{cause}",
             "Measure it again with the callipers in mm; check that the pillar widths were entered too.",
@@ -268,7 +268,9 @@ def _sections(lines: list[str]) -> dict[str, dict[str, str]]:
     try:
         parser.read_string("\n".join(bare[start:]))
     except configparser.Error as error:
-        raise InputError(f"this is no configuration of Klipper: {str(error).splitlines()[0]}.", "Correct it.") from None
+        raise PrinterFile(
+            f"this is no configuration of Klipper: {str(error).splitlines()[0]}.", "Correct it."
+        ) from None
     return {
         name.strip(): {key: value for key, value in parser.items(name) if value is not None}
         for name in parser.sections()
@@ -296,10 +298,10 @@ class KlipperFile:
         header = next((k for k, line in enumerate(lines) if HEADER.match(line)), len(lines))
         self.below = any(line.strip() and not line.startswith(SAVED) for line in lines[header:])
         if "printer" not in self.sections:
-            raise InputError("there is no [printer] in the file.", self.whole)
+            raise PrinterFile("there is no [printer] in the file.", self.whole)
         if (kinematics := self.sections["printer"].get("kinematics", "delta")) != "delta":
             other = _OTHERS.get(kinematics, "")
-            raise InputError(
+            raise PrinterFile(
                 f"the file describes no linear delta ([printer] kinematics: {kinematics}{other}).",
                 "Give the printer.cfg of a printer whose carriages slide on three towers.",
             )
@@ -355,14 +357,14 @@ class KlipperFile:
             return None
         value = number_of(text)
         if value is None or not np.isfinite(value):
-            raise InputError(f"{key} in [{section}] is '{text}': a number was expected.", "Correct it.")
+            raise PrinterFile(f"{key} in [{section}] is '{text}': a number was expected.", "Correct it.")
         return value
 
     def number(self, section: str, key: str) -> float:
         """Return a number; raise where the file does not say."""
         value = self.optional(section, key)
         if value is None:
-            raise InputError(f"{key} in [{section}] is missing.", self.whole)
+            raise PrinterFile(f"{key} in [{section}] is missing.", self.whole)
         return value
 
     def towers(self, key: str, default: Sequence[float] = ()) -> list[float]:
@@ -386,7 +388,7 @@ class KlipperFile:
         ).prod(0)
         full = given["full_steps_per_rotation"]
         if not min(belt, micro, driven, driving, FULL_STEPS if full is None else full) > 0:
-            raise InputError(
+            raise PrinterFile(
                 f"rotation_distance, microsteps, full_steps_per_rotation or gear_ratio in [{tower}] is 0 or less.",
                 "Correct it.",
             )
@@ -404,7 +406,7 @@ class KlipperFile:
         text = self.sections["delta_calibrate"].get(key, "")
         found = [number_of(cell) for cell in text.split(",")]
         if len(found) != 3 or not np.isfinite(np.array(found, dtype=float)).all():
-            raise InputError(
+            raise PrinterFile(
                 f"{key} in [delta_calibrate] is '{text}': three positions, separated by commas, were expected.",
                 "Run DELTA_CALIBRATE and SAVE_CONFIG again.",
             )
@@ -430,7 +432,7 @@ class KlipperFile:
             problem = f"the rows of points in [{section}] are not equally long."
         else:
             return np.array(cells, dtype=float)
-        raise InputError(problem, "Run BED_MESH_CALIBRATE and SAVE_CONFIG again.")
+        raise PrinterFile(problem, "Run BED_MESH_CALIBRATE and SAVE_CONFIG again.")
 
     def meshes(self) -> list[tuple[str, Array, Array]]:
         """Return name, points (n, 2) and heights (n,) of every bed mesh [mm]."""
@@ -446,7 +448,7 @@ class KlipperFile:
             inside = np.linalg.norm(grid - (low + high) / 2, axis=2) <= np.min(high - low) / 2 * (1 + ROUNDED)
             name = re.sub(r"\W+", "_", section.split(" ", 1)[1].strip())
             if len(name) > LONGEST_NAME:
-                raise InputError(
+                raise PrinterFile(
                     f"the name of the mesh '{name[:20]}...' has {len(name)} letters, and a file is named after it.",
                     f"Give it at most {LONGEST_NAME}.",
                 )

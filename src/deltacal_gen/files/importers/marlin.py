@@ -13,7 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import PrinterFile
 from deltacal_gen.files.imported import Imported
 from deltacal_gen.files.naming import naming
 from deltacal_gen.files.printers import done, doubt_arms, from_codes
@@ -55,7 +55,7 @@ def import_marlin(path: str | Path, output: str | Path | None = None) -> Importe
     with naming(path):
         for letter, what in (("L", "diagonal rod"), ("R", "delta radius"), ("H", "height")):
             if letter not in delta:
-                raise InputError(
+                raise PrinterFile(
                     f"the log does not say the {what} (M665 {letter}).",
                     f"Send M503 and give all that it answers; where it does not say it, add a line, M665 {letter} and "
                     "the number that the firmware was built with.",
@@ -90,7 +90,7 @@ def _heights(lines: list[str]) -> tuple[Array, Array]:
     if not found:
         grid = any("Bilinear Leveling Grid" in line for line in lines)
         calibrated = any("G33 Auto Calibrate" in line for line in lines)
-        raise InputError(
+        raise PrinterFile(
             "the log does not say where the points of the grid lie."
             if grid
             else "the heights of G33 are averages, at a radius that the log does not say."
@@ -116,7 +116,7 @@ def _topography(lines: list[str]) -> Iterator[tuple[float, float, float]]:
             rows.setdefault(int(bare[0]), bare[1:])
     widths = {len(cells) for cells in rows.values()}
     if len(corners) < 4 or len(rows) < 2 or len(widths) > 1 or sorted(rows) != list(range(len(rows))):
-        raise InputError(
+        raise PrinterFile(
             "the topography is not complete: its corners and rows of equal length were expected.",
             "Give the whole answer of G29 T.",
             line=start + 1,

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import ImportUnclear
 from deltacal_gen.files.columns import JOINT
 from deltacal_gen.files.imported import Imported, recorded, robot_with, write_import
 from deltacal_gen.files.lists import GROUP, POINT, joints_of, points_of, read_list
@@ -57,7 +57,7 @@ def import_points(
     rows = [row_of.get((g if any(table_groups) else "", p)) for g, p in zip(groups, names, strict=True)]
     taken = [i for i, j in enumerate(rows) if j is not None]
     if not taken:
-        raise InputError(
+        raise ImportUnclear(
             f"no point of the list ({listed(names, FEW)}) is in the table of joints ({listed(table_names, FEW)}).",
             "Name the points alike in both files.",
             file=table.path,
@@ -101,5 +101,6 @@ def _rows_of_points(table: Rows, groups: list[str], names: list[str], q: Array) 
                 f"the point '{key[1]}' comes twice, with different joints.",
                 "Give every point a name of its own, or add a column 'group'.",
                 row=j,
+                family=ImportUnclear,
             )
     return row_of

@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.errors import UnknownName, UnusableURDF
 from deltacal_gen.files.imported import Imported, write_import
 from deltacal_gen.files.naming import naming
 from deltacal_gen.files.robot import robot_from_dict
@@ -174,7 +174,7 @@ def _chain(tree: Tree, base: str | None, tip: str | None) -> _Chain:
         found = _between(tree.hung(start), start, tip)
     if found is not None:
         return found
-    raise UsageError(
+    raise UnknownName(
         f"{tree.path}: link '{start}' does not carry '{tip}': --base names the link that stands still, --tip one "
         "behind the last joint."
     )
@@ -202,13 +202,13 @@ def _longest(tree: Tree, base: str | None) -> _Chain:
     most = max((len(way.moving) for way in found), default=0)
     if not most:
         behind = "" if base is None else f" behind '{base}'"
-        raise InputError(f"no joint{behind} moves.", "Give the URDF of an arm, and its base.")
+        raise UnusableURDF(f"no joint{behind} moves.", "Give the URDF of an arm, and its base.")
     longest = [way for way in found if len(way.moving) == most]
     if len(longest) == 1:
         return longest[0]
     names = ", ".join(way.tip for way in longest)
     if roots := [*dict.fromkeys(way.base for way in longest)][1:]:
-        raise InputError(
+        raise UnusableURDF(
             f"{len(longest)} links have {most} joint{'s' * (most > 1)} before them, and none has more: {names}. They "
             f"hang on links that no joint connects: {', '.join((longest[0].base, *roots))}.",
             "Say which arm is meant: --base LINK, one of these.",
@@ -216,7 +216,7 @@ def _longest(tree: Tree, base: str | None) -> _Chain:
     shared = [j[0] for j in zip(*(way.joints for way in longest), strict=False) if len({k.name for k in j}) == 1]
     last = shared[-1].child if shared else longest[0].base
     joints = [f"{n} joint{'' if n == 1 else 's'}" for n in (most, sum(j.moves for j in shared))]
-    raise InputError(
+    raise UnusableURDF(
         f"{len(longest)} links have {joints[0]} before them, and none has more: {names}. The ways to them part at "
         f"'{last}', behind {joints[1]}.",
         "Say where the arm ends: --tip LINK, one of these or one before.",
@@ -242,7 +242,7 @@ def _check(chain: _Chain) -> None:
                 "End before it (--tip), or take out <mimic> where the controller reads it.",
             )
     if not chain.read:
-        raise UsageError(f"{chain.tree.path}: no joint moves between '{chain.base}' and '{chain.tip}'.")
+        raise UnknownName(f"{chain.tree.path}: no joint moves between '{chain.base}' and '{chain.tip}'.")
     if (far := _length(chain)) > FARTHEST:
         raise chain.joints[0].error(
             f"from '{chain.base}' to '{chain.tip}' it is {far / MM:.4g} m: millimetres, where URDF has metres.",
@@ -403,7 +403,7 @@ def _verify(robot: Robot, chain: _Chain, rows: Rows) -> None:
     mm = max(float(np.abs(d).max()) for d in off)
     turn = float(np.abs(x[:, 3:].reshape(-1, 3, 3) - frame[:, :3, :3]).max())
     if not (mm <= SAME_MM * max(_length(chain), MM) and turn <= SAME_TURN):
-        raise InputError(
+        raise UnusableURDF(
             f"the table of the chain misses the file's own frames by {mm:.2g} mm and {turn:.2g} rad.",
             "That must not be; nothing is written. Please report it with the file.",
         )

@@ -10,7 +10,7 @@ import pkgutil
 import deltacal_kernels.measurements
 import numpy as np
 
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import BadValue
 from deltacal_gen.instrument.kind import Instrument, Kind, Readings
 from deltacal_gen.instrument.several import Several
 from deltacal_gen.machine.registry import Array, Machine
@@ -45,7 +45,7 @@ def kind_of(name: str) -> Kind:
     if AND in name:
         return Several(name, tuple(kind_of(part) for part in name.split(AND)))
     if name not in names():
-        raise InputError(f"there is no kind of measurement '{name}'.", f"Known: {', '.join(names())}.")
+        raise BadValue(f"there is no kind of measurement '{name}'.", f"Known: {', '.join(names())}.")
     if importlib.util.find_spec(f"{__name__}.{name}") is None:
         return Kind(name)
     kind: Kind = importlib.import_module(f"{__name__}.{name}").KIND

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import MissingChannel
 from deltacal_gen.instrument import board
 from deltacal_gen.instrument.facts import Look
 from deltacal_gen.instrument.kind import Frame, Instrument, Kind, Readings
@@ -88,7 +88,7 @@ class BoardImage(Kind):
     ) -> None:
         """Raise an InputError where a recording does not say which points of the board it holds."""
         if missing := [name for name in self.known if name not in cells]:
-            raise InputError(
+            raise MissingChannel(
                 f"images of a board need the points of the board: the column '{missing[0]}' is missing.",
                 "Add board_x_mm and board_y_mm of each point, as printed.",
                 file=file.with_suffix(".csv"),

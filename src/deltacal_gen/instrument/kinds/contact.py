@@ -13,7 +13,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import MissingColumn, WrongKind
 from deltacal_gen.instrument.facts import Look
 from deltacal_gen.instrument.kind import Frame, Instrument, Kind, Readings
 from deltacal_gen.machine.registry import Array, Machine
@@ -74,7 +74,7 @@ class Contact(Kind):
         touched = set(cells.get("contact", ()))
         for a, b, _ in ties if touched else ():
             if unknown := {a, b} - touched:
-                raise InputError(
+                raise MissingColumn(
                     f"[contacts] distance_mm names '{min(unknown)}', which no row has in its column 'contact'.",
                     f"Use names of {', '.join(sorted(touched - {''}))}.",
                     file=file,
@@ -90,7 +90,7 @@ class Contact(Kind):
 
     def unread(self, recording: Recording) -> Readings:
         """Raise an InputError: nothing could be read."""
-        raise InputError(
+        raise WrongKind(
             "a contact reads nothing that could be simulated or predicted: its joints are the reading.",
             'Ask for the kind position, with frame = "robot" in the sidecar.',
             file=recording.path,

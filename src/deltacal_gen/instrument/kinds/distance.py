@@ -9,7 +9,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import NoReadings, TooFewReadings
 from deltacal_gen.instrument.facts import Look
 from deltacal_gen.instrument.kind import ALL, Instrument, Kind, Readings
 from deltacal_gen.machine.registry import Array, Machine
@@ -37,7 +37,7 @@ class Distance(Kind):
     def readings(self, recording: Recording, pose: np.ndarray) -> Readings:
         """Return the distances of the recording's pairs."""
         if recording.pairs is None or recording.pair_measured is None or recording.pair_line is None:
-            raise InputError("no distances between poses are given.", "Add NAME.distances.csv.", file=recording.path)
+            raise NoReadings("no distances between poses are given.", "Add NAME.distances.csv.", file=recording.path)
         taken = np.isfinite(recording.pair_measured)
         ends = np.sort(pose[recording.pairs[taken]], axis=1)
         _, group = np.unique(ends, axis=0, return_inverse=True)
@@ -54,7 +54,7 @@ class Distance(Kind):
     def unread(self, recording: Recording) -> Readings:
         """Return a distance for every pair."""
         if recording.pairs is None:
-            raise InputError("no pairs of poses are given.", "Add NAME.distances.csv.", file=recording.path)
+            raise NoReadings("no pairs of poses are given.", "Add NAME.distances.csv.", file=recording.path)
         every = np.arange(len(recording.pairs))
         none = np.zeros(len(every), dtype=int)
         components = recording.components or ALL
@@ -95,7 +95,7 @@ def between(positions: Readings, recording: Recording) -> Readings:
     _, point = np.unique(np.column_stack([tool[positions.rows[:, 0]], positions.setup]), axis=0, return_inverse=True)
     point = np.ravel(point)
     if (count := sum(n * (n - 1) // 2 for n in np.bincount(point))) > MOST_PAIRS:
-        raise InputError(
+        raise TooFewReadings(
             f"{len(positions)} positions make {count} distances.",
             "Use the positions themselves (they hold the same information), or fewer rows.",
             file=recording.path,

@@ -10,7 +10,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import MissingChannel
 from deltacal_gen.instrument.facts import Look
 from deltacal_gen.instrument.kind import Frame, Instrument, Kind, Readings
 from deltacal_gen.machine.registry import Array, Machine, mechanism_of
@@ -34,7 +34,7 @@ class Gauge(Kind):
     ) -> None:
         """Raise an InputError where the sidecar does not say where the gauge is fixed."""
         if said.base_point_mm is None:
-            raise InputError(
+            raise MissingChannel(
                 "a gauge needs the point of the base that it is fixed to.",
                 "Add base_point_mm = [x, y, z] to [measurement].",
                 file=file,

@@ -9,7 +9,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import MissingChannel
 from deltacal_gen.instrument import sphere
 from deltacal_gen.instrument.facts import Look
 from deltacal_gen.instrument.kind import Frame, Instrument, Kind, Readings
@@ -36,7 +36,7 @@ class Sphere(Kind):
         """Raise an InputError where the sidecar does not say what the camera is."""
         camera = said.camera
         if camera is None or not np.isfinite([getattr(camera, key) for key in NEEDED]).all():
-            raise InputError(
+            raise MissingChannel(
                 "images of a sphere need the camera.",
                 "Add [measurement.camera] with fx_px, fy_px, cx_px, cy_px and ball_radius_mm.",
                 file=file,

@@ -12,7 +12,7 @@ import pkgutil
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from deltacal_gen.errors import UsageError
+from deltacal_gen.errors import UnknownName
 
 if TYPE_CHECKING:
     from deltacal_gen.results.diagnosis import Diagnosis
@@ -36,7 +36,7 @@ class Exporter:
     def in_motion(self, known: MotionModel, path: Path) -> None:
         """Write what the drives of a machine in motion must give."""
         able = [n for n in names() if type(exporter_of(n)).in_motion is not Exporter.in_motion]
-        raise UsageError(f"there is no export '{self.name}' of a machine in motion; known: {', '.join(able)}.")
+        raise UnknownName(f"there is no export '{self.name}' of a machine in motion; known: {', '.join(able)}.")
 
 
 @functools.cache
@@ -55,6 +55,6 @@ def exporter_of(name: str) -> Exporter:
         There is none.
     """
     if name not in names():
-        raise UsageError(f"there is no export '{name}'; known: {', '.join(names())}.")
+        raise UnknownName(f"there is no export '{name}'; known: {', '.join(names())}.")
     exporter: Exporter = importlib.import_module(f"{__name__}.{name}").EXPORTER
     return exporter

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
-from deltacal_gen.errors import UsageError
+from deltacal_gen.errors import NotForThisMachine
 from deltacal_gen.files.writing import write_files
 from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.results.diagnosis import Diagnosis
@@ -65,7 +65,7 @@ def export_c(compensator: Compensator, path: str | Path, over: Spans | None = No
     compensator.needs_loops("export 'c'")
     placed = [t.effect for t in compensator.effects if not effect_source(t).is_file()]
     if placed and compensator.mechanism.turning:
-        raise UsageError(
+        raise NotForThisMachine(
             f"{', '.join(dict.fromkeys(placed))}: exported as a function of the position alone, and this platform "
             "turns on command. Write the joints of your targets: deltacal compensate RESULT TARGETS -o JOINTS."
         )

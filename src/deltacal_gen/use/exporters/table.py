@@ -14,7 +14,7 @@ from pydantic import ConfigDict, Field
 from scipy.interpolate import RegularGridInterpolator
 from scipy.ndimage import binary_dilation
 
-from deltacal_gen.errors import InputError, NoSolutionError, UsageError
+from deltacal_gen.errors import ExportNotPossible, FileFormat, InputError, NotForThisMachine, ValueOutOfRange
 from deltacal_gen.files.toml import Number, Positive, Table, TomlFile, Vector, read_text
 from deltacal_gen.files.writing import write_files
 from deltacal_gen.identification.accuracy import workspace_of
@@ -190,7 +190,7 @@ def export_table(
     largest norm of such a sum is found at one of these middles.
     """
     if len(compensator.mechanism.axes) < 3:
-        raise UsageError(
+        raise NotForThisMachine(
             f"a table is made for machines that move in space, and {compensator.mechanism.machine} moves in a plane. "
             "Export the C source, or write the joints of your targets: deltacal compensate RESULT TARGETS -o JOINTS."
         )
@@ -217,20 +217,20 @@ EXPORTER = CorrectionTable()
 
 def _fine_enough(compensator: Compensator, over: Spans, worst_mm: float) -> TableCompensator:
     if not worst_mm > 0.0:
-        raise UsageError(f"the worst error asked of a table is {worst_mm:g} mm, but must be above 0.")
+        raise ValueOutOfRange(f"the worst error asked of a table is {worst_mm:g} mm, but must be above 0.")
     left = compensator.round_trip()
     if left.missed:
-        raise NoSolutionError(
+        raise ExportNotPossible(
             f"{left.missed} of {left.points} checked points of the workspace are out of reach, so no table covers it. "
             "Make [workspace] smaller, or give the step of a table that leaves them blank."
         )
     if stated(left.worst_mm) >= worst_mm:
-        raise NoSolutionError(
+        raise ExportNotPossible(
             f"the {compensator.kind} compensator itself leaves {stated(left.worst_mm):g} mm over the workspace, so no "
             f"table of it leaves {worst_mm:g} mm. Use the exact one, or ask for a larger worst error."
         )
     if (floor := _floor(compensator, over)) >= worst_mm:
-        raise NoSolutionError(
+        raise ExportNotPossible(
             f"what the effects ask for is not linear enough in the channels: to first order {floor:g} mm are left, so "
             f"no table leaves {worst_mm:g} mm. Allow a larger worst error, or export the C source."
         )
@@ -259,7 +259,7 @@ def _floor(compensator: Compensator, over: Spans) -> float:
 def _sampled(compensator: Compensator, over: Spans, step_mm: float, at_most: float | None = None) -> TableCompensator:
     """Return the table whose steps are `step_mm` or a little less."""
     if not step_mm > 0.0:
-        raise UsageError(f"the step of a table is {step_mm:g} mm, but must be above 0.")
+        raise ValueOutOfRange(f"the step of a table is {step_mm:g} mm, but must be above 0.")
     space = workspace_of(compensator.robot)
     centre, half = space.box
     origin, extent = centre - half, 2 * half
@@ -267,7 +267,7 @@ def _sampled(compensator: Compensator, over: Spans, step_mm: float, at_most: flo
     columns = columns_of(compensator, compensator.effects, over)
     if np.prod(cells + 1.0) * len(columns) > LARGEST_TABLE:
         asked = f"{at_most:g} mm" if at_most is not None else f"a step of {step_mm:g} mm"
-        raise NoSolutionError(
+        raise ExportNotPossible(
             f"a table for {asked} needs more than {LARGEST_TABLE} corrections. "
             "Allow a larger one, or export the C source, which needs no grid."
         )
@@ -395,4 +395,4 @@ def read_table(path: str | Path) -> TableCompensator:
 
 
 def _damaged(path: Path, line: int | None, problem: str) -> InputError:
-    return InputError(f"{problem}.", "Export the table again.", file=path, line=line)
+    return FileFormat(f"{problem}.", "Export the table again.", file=path, line=line)
