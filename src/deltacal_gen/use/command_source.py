@@ -40,11 +40,11 @@ from deltacal_gen.use.spans import (
     drawn,
     factor,
     missed,
+    scale_of,
     shift,
     tabled,
     taken_apart,
     tidy,
-    unit_of,
 )
 
 FARTHEST = 1.1  # of the workspace's half size: where the polynomials end, and stay what they are there
@@ -115,7 +115,7 @@ class LiveEffects:
                 values |= dict.fromkeys(names, 1.0)
                 fields.append(f".{_field(s)} = {{ {', '.join('1.0' for _ in names)} }}")
             else:
-                scale, since = unit_of(s.name)[1], s.zero + (self.compensator.begun if s.passes else 0.0)
+                scale, since = scale_of(s, self.compensator.begun)
                 most = self.over.items().get(s.name, (0.0, 0.0))[1]
                 field = tidy(most * scale + since)
                 values[s.name] = (field - since) / scale
@@ -264,7 +264,7 @@ def _since(state: State, compensator: Compensator) -> str:
 
 def _factor(channel: State, compensator: Compensator) -> str:
     """Return a channel of the machine as corrections go with it, in C."""
-    scale, text = unit_of(channel.name)[1], _since(channel, compensator)
+    scale, text = scale_of(channel, compensator.begun)[0], _since(channel, compensator)
     text = text if scale == 1.0 else f"{text} / {scale!r}"
     return f"({text})" if " " in text else text
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -14,19 +14,17 @@ from deltacal_gen.files.checks import impossible
 from deltacal_gen.files.columns import Columns, is_channel
 from deltacal_gen.files.toml import nearest
 from deltacal_gen.instrument.kinds import kind_of
+from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.rotation import from_vector
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.channels import Channels
 from deltacal_gen.physics.ranges import in_words
 from deltacal_gen.results.diagnosis import Diagnosis
+from deltacal_gen.results.result import Result
 from deltacal_gen.states import RECORDED
 from deltacal_gen.units import DEG, joint_factors, joint_names
 from deltacal_gen.use import prediction
 from deltacal_gen.use.compensation import TURNED_DEG, Compensator
-
-if TYPE_CHECKING:
-    from deltacal_gen.machine.registry import Array
-    from deltacal_gen.results.result import Result
 
 Progress = Callable[[str], None]
 USUAL = (  # columns of channels: of the machine, and of the first joint

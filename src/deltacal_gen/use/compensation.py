@@ -290,8 +290,7 @@ class Compensator:
 
     def needs_no_past(self, what: str) -> None:
         """Raise UsageError where an effect remembers: what is exported knows one target at a time."""
-        if self.remembers:
-            late = dict.fromkeys(term.effect for term in self.effects if remembers(term.kernels))
+        if late := dict.fromkeys(term.effect for term in self.effects if remembers(term.kernels)):
             raise NotForThisMachine(
                 f"{', '.join(late)}: there is no {what} of what remembers how the machine came to a target. Write the "
                 "joints of your targets, which say time_s: deltacal compensate RESULT TARGETS -o JOINTS."

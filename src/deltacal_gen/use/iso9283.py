@@ -6,12 +6,10 @@ All are of the attained positions of repeated visits in the same direction; the 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-if TYPE_CHECKING:
-    from deltacal_gen.machine.registry import Array
+from deltacal_gen.machine.registry import Array
 
 CYCLES = 30  # 7.2.1, 7.2.2 and 7.3: visits of a pose
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
@@ -49,10 +49,13 @@ def known_model(source: Given) -> Known:
         return found
     try:
         mechanism_of(robot_of(found.robot))
-        if not isinstance(found, MotionModel):
+        if isinstance(found, MotionModel):
+            effects = [term.effect for joint in found.joints for term in joint.terms]
+        else:
+            effects = [term.effect for term in found.physics or ()]
             instrument_of(found.instrument).frames()
             unpacked(found.uncertainty.factor if found.uncertainty else np.zeros(0))
-        for name in _effects(found):
+        for name in effects:
             if not is_law(name) and name not in (*effect_names(), *drive_effect_names()):
                 raise BadValue(f"there is no effect '{name}'.", "Add its file, and run deltacal kernels.")
             load_effect(name)
@@ -65,14 +68,6 @@ def known_model(source: Given) -> Known:
         file = None if isinstance(source, Mapping) else Path(source)
         raise InconsistentResult(said.problem, said.remedy, file=file, line=said.line, column=said.column) from None
     return found
-
-
-def _effects(found: Known) -> Iterator[str]:
-    """Yield the names of the effects and formulas that a result predicts with."""
-    if isinstance(found, MotionModel):
-        yield from (term.effect for joint in found.joints for term in joint.terms)
-    else:
-        yield from (term.effect for term in found.physics or ())
 
 
 def _at_rest(found: Known, source: Given) -> Result | Diagnosis:

@@ -42,8 +42,8 @@ class Spans:
         """Return the ranges as a recording has them, which began at some time [s]: ``temp_C 18 to 25``."""
         words = []
         for name, span in self.items().items():
-            channel, scale = named(name), unit_of(name)[1]
-            since = channel.zero + (begun if channel.passes else 0.0)
+            channel = named(name)
+            scale, since = scale_of(channel, begun)
             low, high = (f"{tidy(v * scale + since):.15g}" for v in span)
             words.append(f"{channel.column} {low} to {high}")
         return ", ".join(words) or "no channel varied"
@@ -54,11 +54,10 @@ def tidy(value: float) -> float:
     return round(value, 3) if abs(value) >= 1 else float(f"{value:.4g}")
 
 
-def unit_of(name: str) -> tuple[str, float]:
-    """Return the unit of a channel in corrections, and how many of the state's it is."""
-    unit = named(name).tabled
-    assert unit is not None  # corrections go with no other channel
-    return unit
+def scale_of(channel: State, begun: float) -> tuple[float, float]:
+    """Return how many of a channel's own units its unit in corrections is, and from where these count it."""
+    assert channel.tabled is not None  # corrections go with no other channel
+    return channel.tabled[1], channel.zero + (begun if channel.passes else 0.0)
 
 
 def tabled(states: Iterable[State]) -> list[State]:
@@ -77,7 +76,7 @@ def spans(result: Result | Diagnosis) -> Spans:
         values = recorded.get(s.column, np.zeros(0))
         values = values[np.isfinite(values)]
         if len(values):
-            scale, since = unit_of(s.name)[1], s.zero + (result.begun_s if s.passes else 0.0)
+            scale, since = scale_of(s, result.begun_s)
             found[s.name] = float(values.min() - since) / scale, float(values.max() - since) / scale
     return Spans(found)
 
@@ -107,8 +106,8 @@ def channels_of(compensator: Compensator, n: int, values: Mapping[str, Array | f
             names = s.columns(compensator.mechanism.joint_unit, compensator.mechanism.limbs)
             columns |= {name: values.get(name, 0.0) for name in names}
         else:
-            since = s.zero + (compensator.begun if s.passes else 0.0)
-            columns[s.column] = np.add(np.multiply(values.get(s.name, 0.0), unit_of(s.name)[1]), since)
+            scale, since = scale_of(s, compensator.begun)
+            columns[s.column] = np.add(np.multiply(values.get(s.name, 0.0), scale), since)
     return compensator.channels(columns, n)[0]
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -14,7 +13,7 @@ from deltacal_gen.files.checks import impossible
 from deltacal_gen.files.recording import targets_of
 from deltacal_gen.files.robot import robot_of
 from deltacal_gen.files.rows import Rows, read_table
-from deltacal_gen.machine.registry import SOLVED, UNREACHABLE, mechanism_of
+from deltacal_gen.machine.registry import SOLVED, UNREACHABLE, Array, mechanism_of
 from deltacal_gen.machine.values import ROTATION, Robot
 from deltacal_gen.motion.feedforward import FeedForward, fed_forward
 from deltacal_gen.motion.trajectories import Sidecar, read_sidecar, trajectories
@@ -23,9 +22,6 @@ from deltacal_gen.results.reader import TORQUE
 from deltacal_gen.states import PAYLOAD
 from deltacal_gen.units import joint_factors, joint_names, of_joints
 from deltacal_gen.use.compensation import Compensator
-
-if TYPE_CHECKING:
-    from deltacal_gen.machine.registry import Array
 
 TOLD = {"rad": 1e-5, "mm": 0.01}  # by which a curve leaves joints: a hundredth of a millimetre at a metre
 

@@ -307,15 +307,13 @@ def _table_errors(table: TableCompensator, compensator: Compensator, over: Spans
     middles = [table.origin[i] + 0.5 * table.step[i] * np.arange(2 * n - 1) for i, n in enumerate(table.nodes)]
     points = np.vstack([workspace_points(workspace_of(compensator.robot)), _lattice(middles, _used(table, radius))])
     inside = np.hypot(points[:, 0], points[:, 1]) <= radius * (1 + 1e-12)
-    worst, unsolved = 0.0, 0
+    errors = np.empty(len(points))
     for start in range(0, len(points), _CHUNK):
         part = points[start : start + _CHUNK]
         values = drawn(compensator, over, len(part))
         joints = compensator.nominal_command(part)[0] + table.correction(part, values)[0]
-        error = missed(compensator, joints, part, values)
-        worst = max(worst, largest(error))
-        unsolved += int((np.isnan(error) & inside[start : start + _CHUNK]).sum())
-    return RoundTrip(worst, len(points), unsolved)
+        errors[start : start + _CHUNK] = missed(compensator, joints, part, values)
+    return RoundTrip(largest(errors), len(points), int((np.isnan(errors) & inside).sum()))
 
 
 def _lattice(axes: Sequence[Array], some: np.ndarray | slice = slice(None)) -> Array:
