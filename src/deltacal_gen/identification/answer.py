@@ -146,7 +146,7 @@ def _residuals(final: Fit) -> FitResiduals:
     return FitResiduals(
         line=readings.line,
         position_mm=final.machine.x[readings.rows[:, 0], :3],
-        error_mm=lengths(final.residual, readings.kind),
+        residual_mm=lengths(final.residual, readings.kind),
     )
 
 

@@ -67,7 +67,7 @@ def left_of(found: Result) -> Left | None:
         return None
     unit, size = shown_in(found)
     return Left(
-        errors=found.residuals.error_mm / size,
+        errors=found.residuals.residual_mm / size,
         line=found.residuals.line,
         place=found.residuals.position_mm,
         gross=found.gross_errors or (),

@@ -168,7 +168,7 @@ class FitResiduals(Value):
 
     line: Counts
     position_mm: BlankRows
-    error_mm: BlankRows
+    residual_mm: BlankRows
     """Measured minus calibrated, component by component; null where nothing was read."""
 
 
