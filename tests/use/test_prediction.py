@@ -247,7 +247,9 @@ def test_other_rows_of_a_series_stand_before_or_after_a_jump_by_the_numbers_of_t
     """Where poses of both are numbered as they were measured, and none is in both: a series measured anew has them."""
 
     class Odd(ByRow):
-        poses = (1, 3, 5, 7, 9, 11)
+        @property
+        def poses(self) -> tuple[int, ...]:
+            return (1, 3, 5, 7, 9, 11)
 
     fresh = measured(robot, truth, "position", scattered(robot, 6, 8))
     jumped = with_effects(results["position"], effect("zero_jump", 0.1, constants=(3.0,)), kind=Odd)  # before pose 7

@@ -17,7 +17,6 @@ from __future__ import annotations
 
 import dataclasses
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
@@ -111,12 +110,6 @@ class MixedModel:
         half[:, there] = np.diag(r / L) if L.ndim == 1 else _of_triangle(L, np.diag(r))
         return out, noise * (half.T @ half)
 
-    @cached_property
-    def _G(self) -> Array:
-        """Products (n, n) of the effects' columns."""
-        G: Array = (self.V * self.s**2) @ self.V.T
-        return G
-
     def _solved(self, variances: Array, noise: float) -> tuple[float, Array, Array, Array]:
         """Return what effects leave of the squares; of those with a variance r, A^-1 R W'w and L of A = L L'.
 
@@ -130,10 +123,12 @@ class MixedModel:
             mean, moved = r * s * self.w[there] / L**2, np.zeros(len(self.w))
             moved[there] = s * r * mean
         else:
-            W: Array = self.s[:, None] * self.V[there].T
-            L = np.asarray(np.linalg.cholesky(np.eye(len(r)) + r[:, None] * self._G[np.ix_(there, there)] * r))
-            mean = _of_triangle(L, _of_triangle(L, r * (W.T @ self.w)), transposed=True)
-            moved = W @ (r * mean)
+            W: Array = self.s[:, None] * self.V[there].T * r
+            # the factor of I + W'W, which rounding makes indefinite where rows have next to no noise
+            upper = np.linalg.qr(np.vstack([np.eye(len(r)), W]), mode="r")
+            L = (upper * np.sign(np.diag(upper))[:, None]).T
+            mean = _of_triangle(L, _of_triangle(L, W.T @ self.w), transposed=True)
+            moved = W @ mean
         left = self.rest + float(((self.w - moved) ** 2).sum() + mean @ mean)
         return max(left, TINY), r, mean, L
 
