@@ -491,8 +491,7 @@ class _Linear:
         g[:n] -= self._prior
         drawn = np.full(len(g) - n, option.size**-2 if option else 1.0)
         G[np.diag_indices_from(G)] += np.append(self._held, drawn) + jitter(np.diag(G))
-        u: Array = np.linalg.solve(G, g)
-        return u
+        return np.linalg.solve(G, g).astype(float)
 
     def best(self, options: Sequence[_Option | None], without: set[int]) -> _Option | None:
         """Return the option that predicts each of the other parts best from the rest."""

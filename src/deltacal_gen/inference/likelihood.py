@@ -100,7 +100,7 @@ class MixedModel:
 
     def evidence(self, variances: Array, noise: float) -> float:
         """Return log p of the contrasts."""
-        return -0.5 * (self.contrasts * float(np.log(2 * np.pi)) + self.deviance(variances, noise))
+        return -0.5 * (self.contrasts * np.log(2 * np.pi) + self.deviance(variances, noise))
 
     def posterior(self, variances: Array, noise: float) -> tuple[Array, Array]:
         """Return mean (n,) and covariance (n, n) of the effects, given their variances and the noise."""

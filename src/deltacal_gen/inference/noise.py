@@ -67,7 +67,7 @@ class NoiseModel:
     @cached_property
     def log_det(self) -> float:
         """Logarithm of the determinant of the covariance."""
-        return 2 * float(np.log(self._left * self._factor[0]).sum()) + float(np.log1p(self._span[1]).sum())
+        return float(2 * np.log(self._left * self._factor[0]).sum() + np.log1p(self._span[1]).sum())
 
     def restore(self, white: Array) -> Array:
         """Return rows (R, ...) as they were before they were freed, where none fades."""

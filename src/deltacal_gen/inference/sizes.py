@@ -83,7 +83,7 @@ def fit_sizes(
             costs = [cost(t) for t in tried]
             if min(costs) < best:
                 best, v = min(costs), tried[int(np.argmin(costs))]
-        if best > before - SETTLED:
+        if best > before - SETTLED or len(v) == 1:
             break
     there = np.flatnonzero(v)
 
@@ -109,4 +109,4 @@ def least(
     inward = np.where(best + wide > np.asarray(limits)[:, 1], -wide, wide)
     how = {"initial_simplex": best + np.vstack([0 * best, np.diag(inward)]), "xatol": 5e-3, "fatol": 1e-3}
     found = minimize(cost, best, method="Nelder-Mead", bounds=limits, options=how)
-    return found.x.tolist(), float(found.fun)
+    return found.x.tolist(), found.fun
