@@ -348,7 +348,7 @@ def test_what_an_axis_cannot_be_planned_by_is_refused(run: Run, robot: Robot, tm
     assert "how far the joints go" in run("plan", tmp_path / "robot.toml")[2]
     bounded = robot_from_dict(dict(AXIS) | {"joints": {"limits_mm": [[0.0, 300.0]]}})
     (tmp_path / "robot.toml").write_text(robot_to_toml(bounded))
-    assert "without --optimal" in run("plan", tmp_path / "robot.toml", "--optimal", 5)[2]
+    assert "--optimal means nothing here" in run("plan", tmp_path / "robot.toml", "--optimal", 5)[2]
     assert "from 2 positions" in run("plan", tmp_path / "robot.toml", "--cycles", 1)[2]
 
 
