@@ -225,7 +225,7 @@ class ImplausibleReadings(InputError):
 class ImportUnclear(InputError):
     """What another program keeps does not say which topic, marker, point or field is meant, or holds none of them.
 
-    Name it by an option, or by the file of `--map`.
+    Name it by an option, or by the file of `--mapping`.
     """
 
 

@@ -118,8 +118,7 @@ def _run(command: Command, given: dict[str, Any]) -> int:
     picture = given.pop(PICTURE, None) if command.draws else None
     files = [value for value in given.values() if isinstance(value, Path)]
     check_output(picture, *files, ending=PICTURES)
-    name = command.functions[0] if command.choose is None else command.choose(given)
-    function = getattr(deltacal_gen, name)
+    function = getattr(deltacal_gen, command.choose(given) if command.choose else command.functions[0])
     call = _call(function, {key: v for key, v in given.items() if key not in command.flags}, command.choosers)
     with ExitStack() as stack:
         for key, watch in {"progress": terminal.stages, "told": terminal.tasks}.items():

@@ -116,4 +116,5 @@ RENAMED = {  # options of before, by the command or for all
     "identify": {"--solver": "--method"},
     "compensate": {"--kind": "--method", "--worst": "--tolerance"},
     "batch": {"--machine": "--group-by"},
+    "import": {"--map": "--mapping"},
 }
