@@ -166,5 +166,5 @@ def write_json(answer: Answer, path: Source) -> None:
 
 def check_folder(path: Source) -> None:
     """Refuse a folder for outputs that is a file."""
-    if Path(path).exists() and not Path(path).is_dir():
+    if Path(path).is_file():
         raise OutputName("this is a file, and a folder is needed.", "Choose another name.", file=path)
