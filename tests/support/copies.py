@@ -26,7 +26,7 @@ OTHERS = {  # commands that no file of a registry changes
     "reproduce": "of papers",
     "manual": "pages",
     "import": "what other programs keep, of machines that they know",
-    "camera": "of the camera alone",
+    "explain": "of errors",
 }
 LINES = """
 import json, sys
