@@ -8,14 +8,13 @@ from typing import Any, NamedTuple, Self, cast
 
 import numpy as np
 
-from deltacal_gen.inference.likelihood import MixedModel
+from deltacal_gen.inference.likelihood import TINY, MixedModel
 from deltacal_gen.inference.noise import NoiseModel
-from deltacal_gen.inference.sizes import fit_sizes
 from deltacal_gen.machine.registry import Array
 
 NOISES = 10.0  # times the variance that a fit leaves, either way: between these that of noise is sought
 FAINT = 1e-6  # weight below which a reading counts for nothing
-TINY = 1e-300  # of what readings without any error leave
+MOST_STEPS, SETTLED = 50, 1e-6  # towards the likeliest noise, and of the deviance's slope what is as good as none
 
 
 class Taken(NamedTuple):
@@ -107,13 +106,19 @@ class Correlated(ABC):
         Their common size is the one that fits best. What a fit may have taken is taken out as this noise has it: the
         likelihood is that of the rest (Patterson and Thompson 1971, Biometrika 58, 545-554).
         """
-        e = self.freed(z).ravel()
         volume = z.shape[1] * self.noise.log_det
         if taken is None:
-            return float(e.size * np.log(np.mean(e**2)) + volume)
-        A, M = (self.freed(columns).reshape(len(e), -1) for columns in (taken.known, taken.free))
-        Q, R = np.linalg.qr(M)
-        model = MixedModel.of(A, e - A @ taken.toward, Q).diagonal()
-        about = max(float(e @ e), TINY) / max(model.contrasts, 1)  # what the fit leaves, wherever the machine stands
-        found = fit_sizes(model, np.full(len(model.s), -1), noise=(about / NOISES, about * NOISES))
-        return found.deviance + volume + 2 * float(np.log(np.abs(np.diagonal(R))).sum())
+            return float(z.size * np.log(np.mean(self.freed(z) ** 2)) + volume)
+        rows = self.freed(np.concatenate([taken.free, taken.known, z[..., None]], axis=2)).reshape(z.size, -1)
+        free, R = taken.free.shape[2], np.asarray(np.linalg.qr(rows, mode="r"))
+        A, e, contrasts = R[free:, free:-1], R[free:, -1], len(rows) - free
+        model = MixedModel.of(A, e - A @ taken.toward, np.zeros((len(A), 0))).diagonal()
+        model = dataclasses.replace(model, contrasts=contrasts)
+        about = max(float(R[:, -1] @ R[:, -1]), TINY) / max(contrasts, 1)  # what the fit leaves, wherever it stands
+        ones, noise = np.ones(len(model.s)), about
+        for _ in range(MOST_STEPS):  # fixed point of MacKay 1992, Neural Computation 4, 415-447
+            each, slope = model.slopes(ones, noise)
+            noise = float(np.clip(noise * (1 - slope / (contrasts - each.sum())), about / NOISES, about * NOISES))
+            if abs(slope) < SETTLED:
+                break
+        return model.deviance(ones, noise) + volume + 2 * float(np.log(np.abs(np.diagonal(R)[:free])).sum())

@@ -16,7 +16,7 @@ from functools import cached_property
 import numpy as np
 
 from deltacal_gen.estimation.correlated import FAINT, Correlated, Taken
-from deltacal_gen.inference.noise import NoiseModel
+from deltacal_gen.inference.noise import FLAT, NoiseModel
 from deltacal_gen.inference.sizes import least
 from deltacal_gen.instrument.kind import Readings
 from deltacal_gen.machine.registry import Array
@@ -24,7 +24,6 @@ from deltacal_gen.machine.values import Recording, numbered
 
 LEAST_OWN = 1e-3  # part of the variance that is a reading's own, at least: what is computed of positions is rounded
 ODDS = np.linspace(-3.0, float(np.log(1 / LEAST_OWN - 1)), 9)  # log of the shared part over the own, that are tried
-FLAT = 1e-10  # of the largest square: less is a direction in which no point moves a reading
 PER_POINT = 12  # distances that are looked at for each point: four times as many as tell where it is
 SPARE = 3  # distances more than follow, of which noise of their own is told
 FOLLOWS = 0.1  # of the noise: the part of its own of a distance that others tell
@@ -86,8 +85,9 @@ class Ends(Correlated):
     @cached_property
     def rows_of_size(self) -> float:
         """So many tell as much of the size of noise as one whose noise is its own: mean square of correlations."""
-        square = float((self._products**2).sum()) if len(self.moved) else 0.0
-        return self.own**2 + 2 * self.own * (1 - self.own) + (1 - self.own) ** 2 * square / max(len(self.moved), 1)
+        few = self.moved if self.moved.shape[0] <= self.moved.shape[1] else self.moved.T
+        square = float(((few @ few.T) ** 2).sum()) / 4 / max(len(self.moved), 1)
+        return 1 - (1 - self.own) ** 2 * (1 - square)
 
     @property
     def text(self) -> str:
@@ -96,13 +96,6 @@ class Ends(Correlated):
             f"{1 - self.own:.0%} of the noise's variance is of the points between which distances lie, and shared by "
             f"all that end there: {self.rows:.1f} of them tell as much as one read anew"
         )
-
-    @cached_property
-    def _products(self) -> Array:
-        """Products of the points' directions, half of which is the shared correlation; of the lesser side."""
-        few = self.moved if self.moved.shape[0] <= self.moved.shape[1] else self.moved.T
-        products: Array = few @ few.T / 2
-        return products
 
     @cached_property
     def noise(self) -> NoiseModel:

@@ -173,8 +173,7 @@ class Series(Correlated):
     @cached_property
     def _told(self) -> Array:
         """What the row before tells of each."""
-        told: Array = self.rho**self.gap
-        return told
+        return np.asarray(self.rho**self.gap)
 
     @cached_property
     def noise(self) -> NoiseModel:

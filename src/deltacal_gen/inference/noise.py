@@ -49,7 +49,9 @@ class NoiseModel:
         """Return rows (R, ...) freed of one another, of variance 1."""
         (U, square), e = self._span, self._in_order(values[self.order].reshape(len(values), -1))
         out = np.empty_like(e)
-        out[self.order] = e - U @ ((1 - 1 / np.sqrt(1 + square))[:, None] * (U.T @ e))
+        if len(square):
+            e -= U @ ((1 - 1 / np.sqrt(1 + square))[:, None] * (U.T @ e))
+        out[self.order] = e
         return out.reshape(values.shape)
 
     def times(self, values: Array) -> Array:
@@ -86,17 +88,14 @@ class NoiseModel:
         """Return rows (R, n) freed of the white and the serial part."""
         from scipy.linalg import solve_banded
 
-        e = np.array(values, dtype=float)
-        e[1:] -= self.told[1:, None] * values[:-1]
-        e /= self._left[:, None]
-        out: Array = solve_banded((1, 0), self._factor, e, overwrite_b=True, check_finite=False)
-        return out
+        e = values / self._left[:, None]
+        e[1:] -= (self.told / self._left)[1:, None] * values[:-1]
+        return np.asarray(solve_banded((1, 0), self._factor, e, overwrite_b=True, check_finite=False))
 
     @cached_property
     def _left(self) -> Array:
         """Standard deviation (R,) of what the row before does not tell of the serial part, of variance 1."""
-        left: Array = np.sqrt(1 - self.told**2)
-        return left
+        return np.asarray(np.sqrt(1 - self.told**2))
 
     @cached_property
     def _factor(self) -> Array:
@@ -108,13 +107,14 @@ class NoiseModel:
         covariance[0, 1:] += told[1:] ** 2 * self.own[:-1] / left[1:] ** 2
         covariance[0] *= 1 + DEFINITE
         covariance[1, :-1] = -self.own[:-1] * told[1:] / left[1:] / left[:-1]
-        factor: Array = cholesky_banded(covariance, lower=True, check_finite=False)
-        return factor
+        return np.asarray(cholesky_banded(covariance, lower=True, check_finite=False))
 
     @cached_property
     def _span(self) -> tuple[Array, Array]:
         """Left singular vectors (R, r) of what is shared, freed of the rest, and squares (r,) of singular values."""
-        B, tall = self._in_order(self.shared), self.shared.shape[0] > self.shared.shape[1]
+        if not self.shared.size:
+            return self.shared, np.zeros(0)
+        B, tall = self._in_order(self.shared), np.greater(*self.shared.shape)
         square, V = np.linalg.eigh(B.T @ B if tall else B @ B.T)
         seen = square > FLAT * square.max(initial=0.0)
         square, V = square[seen], V[:, seen]

@@ -8,8 +8,8 @@ slope: of several maxima the scan finds the highest.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import NamedTuple
+from collections.abc import Callable, Iterable
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -99,13 +99,12 @@ def fit_sizes(
 
 
 def least(
-    cost: Callable[[Array], float], starts: ArrayLike, steps: ArrayLike, limits: ArrayLike
+    cost: Callable[[Any], float], starts: Iterable[Any], steps: ArrayLike, limits: ArrayLike
 ) -> tuple[list[float], float]:
     """Return where a cost without a slope is least, and how little: from the best start (Nelder and Mead 1965)."""
     from scipy.optimize import minimize
 
-    every = np.asarray(starts, dtype=float)
-    best, wide = every[int(np.argmin([cost(x) for x in every]))], np.asarray(steps, dtype=float)
+    best, wide = np.array([min(starts, key=cost), steps], dtype=float)
     inward = np.where(best + wide > np.asarray(limits)[:, 1], -wide, wide)
     how = {"initial_simplex": best + np.vstack([0 * best, np.diag(inward)]), "xatol": 5e-3, "fatol": 1e-3}
     found = minimize(cost, best, method="Nelder-Mead", bounds=limits, options=how)
