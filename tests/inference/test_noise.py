@@ -45,6 +45,18 @@ def test_whitened_rows_have_the_covariance_one(noise: NoiseModel) -> None:
     assert noise.log_det == pytest.approx(np.linalg.slogdet(covariance(noise))[1], abs=1e-9)
 
 
+def test_parts_of_other_sizes_need_no_new_decomposition(noise: NoiseModel) -> None:
+    own, shared = 0.3, 1.7
+    sized, B = noise.sized(own, shared), noise.shared
+    every = np.ix_(noise.order, noise.order)
+    expected = own * covariance(noise)
+    expected[every] += (shared - own) * B @ B.T
+    assert covariance(sized) == pytest.approx(expected, abs=1e-12)
+    W = sized.whiten(np.eye(R))
+    assert W @ expected @ W.T == pytest.approx(np.eye(R), abs=1e-9)
+    assert sized.log_det == pytest.approx(np.linalg.slogdet(expected)[1], abs=1e-9)
+
+
 def test_components_are_whitened_alike(noise: NoiseModel) -> None:
     values = np.random.default_rng(2).standard_normal((R, 3, 2))
     assert noise.whiten(values)[:, 1, 0] == pytest.approx(noise.whiten(values[:, 1, 0]))

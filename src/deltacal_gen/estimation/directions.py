@@ -77,11 +77,9 @@ def _numbers(k: int) -> int:
 def levelling(shape: Array) -> Array:
     """Return the symmetric matrix (k, k) that makes noise of a shape alike in all directions."""
     variances, axes = np.linalg.eigh(shape)
-    level: Array = (axes / np.sqrt(variances)) @ axes.T
-    return level
+    return np.asarray((axes / np.sqrt(variances)) @ axes.T)
 
 
 def _squares(z: Array, shape: Array) -> Array:
     """Return the squares (R,) of readings in units of their noise, but for its size."""
-    squares: Array = np.einsum("ri,ri->r", z, np.linalg.solve(shape, z.T).T)
-    return squares
+    return np.asarray(np.einsum("ri,ri->r", z, np.linalg.solve(shape, z.T).T))

@@ -59,12 +59,22 @@ class Ends(Correlated):
         How much each reading counts, 1 fully; see `Series`.
     rho : float
         None: no distance tells of the next.
+    unit : NoiseModel, optional
+        Noise of an own part and a shared one, each of the variance 1, of distances that count fully; by default it is
+        made of `moved`. What is decomposed of it is so for all sizes of these parts.
     """
 
     moved: Array
     own: float = 1.0
     weight: Array | None = None
     rho: float = 0.0
+    unit: NoiseModel | None = None
+
+    def __post_init__(self) -> None:
+        if self.unit is None:
+            n = len(self.moved)
+            unit = NoiseModel(np.arange(n), np.ones(n), np.zeros(n), 0.0, self.moved / np.sqrt(2))
+            object.__setattr__(self, "unit", unit)
 
     @staticmethod
     def of(found: Readings, recording: Recording, x: Array) -> Ends | None:
@@ -100,9 +110,10 @@ class Ends(Correlated):
     @cached_property
     def noise(self) -> NoiseModel:
         """Noise of distances."""
-        n = len(self.moved)
-        own = np.maximum(self.own, LEAST_OWN) + 1 / self.counts(n) - 1
-        return NoiseModel(np.arange(n), own, np.zeros(n), 0.0, self.moved * np.sqrt((1 - self.own) / 2))
+        assert self.unit is not None
+        noise = self.unit.sized(max(self.own, LEAST_OWN), 1 - self.own)
+        more = 1 / self.counts(len(self.moved)) - 1
+        return dataclasses.replace(noise, own=noise.own + more) if more.any() else noise
 
     def alone(self, values: Array) -> Array:
         """Return what all others do not tell of each distance (R, 1); noise of size 1 stays so."""
@@ -122,7 +133,7 @@ class Ends(Correlated):
     def subset(self, chosen: np.ndarray) -> Ends:
         """Return some of the distances."""
         weight = None if self.weight is None else self.weight[chosen]
-        return dataclasses.replace(self, moved=self.moved[chosen], weight=weight)
+        return dataclasses.replace(self, moved=self.moved[chosen], weight=weight, unit=None)
 
     def likeliest(self, z: Array, taken: Taken | None = None) -> tuple[Ends, float]:
         """Return the noise that explains distances (R, 1) best, beside what a fit took of them, and its deviance."""

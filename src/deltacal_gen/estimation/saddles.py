@@ -128,8 +128,7 @@ class _Beside:
     def gradient(self, aside: Array) -> Array:
         """Return half the gradient (n,) there."""
         A, b = _rows(self._fit, self.state(aside)).machine
-        out: Array = self._fit.departure + aside - A.T @ b
-        return out
+        return np.asarray(self._fit.departure + aside - A.T @ b)
 
 
 def _rows(found: Fit, at: State) -> System:

@@ -247,5 +247,4 @@ def following(system: System, s: Array) -> Array:
 def _solved(A: Array, b: Array, rank: float = RANK) -> Array:
     """Return the least squares solution of columns made one length, directions below `rank` of the largest left."""
     size = length_of(A)
-    out: Array = np.linalg.lstsq(A / size, b, rcond=rank)[0] / size
-    return out
+    return np.asarray(np.linalg.lstsq(A / size, b, rcond=rank)[0] / size)

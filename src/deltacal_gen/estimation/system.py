@@ -73,8 +73,7 @@ class System:
 
     def rest(self, s: Array, t: Array) -> Array:
         """Return what a step leaves of the rows (scalars,)."""
-        out: Array = self.rows @ np.concatenate([-t, -s, [1.0]])
-        return out
+        return np.asarray(self.rows @ np.concatenate([-t, -s, [1.0]]))
 
     def left(self, s: Array, t: Array) -> float:
         """Return the square sum of what a step leaves of the rows."""
@@ -88,8 +87,7 @@ class System:
         size = length_of(R)
         _, s, Vt = np.linalg.svd(R / size, full_matrices=False)
         V = Vt[s > STRONG * s[0]].T / s[s > STRONG * s[0]]
-        inverse: Array = (V @ V.T / size / size[:, None]) @ self.A_m.T
-        return inverse
+        return np.asarray((V @ V.T / size / size[:, None]) @ self.A_m.T)
 
 
 def system(state: Linearised, sigma: Array, weights: Array, shared: Repeats, scale: Array) -> System:

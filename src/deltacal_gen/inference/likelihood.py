@@ -142,5 +142,4 @@ def _of_triangle(L: Array, values: Array, transposed: bool = False) -> Array:
     """Return L^-1, or L^-T, times values, of a lower triangle."""
     from scipy.linalg import solve_triangular
 
-    out: Array = solve_triangular(L, values, trans=int(transposed), lower=True, check_finite=False)
-    return out
+    return np.asarray(solve_triangular(L, values, trans=int(transposed), lower=True, check_finite=False))

@@ -9,7 +9,7 @@ that. Nothing of the size of the covariance is ever formed.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -71,6 +71,12 @@ class NoiseModel:
         """Logarithm of the determinant of the covariance."""
         return float(2 * np.log(self._left * self._factor[0]).sum() + np.log1p(self._span[1]).sum())
 
+    def sized(self, own: float, shared: float) -> NoiseModel:
+        """Return the noise of which what rows share is so many times as large, and all else; its span is known."""
+        out = replace(self, own=own * self.own, fading=own * self.fading, shared=np.sqrt(shared) * self.shared)
+        vars(out)["_span"] = self._span[0], self._span[1] * shared / own
+        return out
+
     def restore(self, white: Array) -> Array:
         """Return rows (R, ...) as they were before they were freed, where none fades."""
         (U, square), e = self._span, white.reshape(len(white), -1)
@@ -112,8 +118,8 @@ class NoiseModel:
     @cached_property
     def _span(self) -> tuple[Array, Array]:
         """Left singular vectors (R, r) of what is shared, freed of the rest, and squares (r,) of singular values."""
-        if not self.shared.size:
-            return self.shared, np.zeros(0)
+        if not self.shared.any():
+            return self.shared[:, :0], np.zeros(0)
         B, tall = self._in_order(self.shared), np.greater(*self.shared.shape)
         square, V = np.linalg.eigh(B.T @ B if tall else B @ B.T)
         seen = square > FLAT * square.max(initial=0.0)

@@ -22,11 +22,9 @@ def basis(columns: Array, tolerance: float = DEPENDENT) -> Array:
     size = np.linalg.norm(columns, axis=0)
     Q, R = np.linalg.qr(columns / np.where(size > 0, size, 1.0))
     U, s, _ = np.linalg.svd(R, full_matrices=False)
-    out: Array = Q @ U[:, s > tolerance * s.max(initial=0.0)]
-    return out
+    return np.asarray(Q @ U[:, s > tolerance * s.max(initial=0.0)])
 
 
 def project_out(values: Array, Q: Array) -> Array:
     """Return values (rows, ...) less what lies along an orthonormal basis (rows, rank)."""
-    out: Array = values - Q @ (Q.T @ values)
-    return out
+    return np.asarray(values - Q @ (Q.T @ values))
