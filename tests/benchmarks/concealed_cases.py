@@ -283,6 +283,7 @@ class Judge:
         found = SimpleNamespace(
             problem=problem,
             errors=self.errors,
+            departure=(self.errors - problem.reference)[problem.columns] / problem.scale,
             machine=problem.solve(self.errors),
             instrument=self.instrument,
             weights=np.ones(len(problem.readings)),

@@ -62,7 +62,6 @@ STEERING = {
     "diagnosis.library": ("MIXED", "NEIGHBOURS", "SIZES", "SIZE_STEP"),
     "diagnosis.structure": ("FEWEST_NEIGHBOURS", "FUNCTIONS", "LEVELS", "CENTRES", "RADII"),
     "diagnosis.spectrum": ("MARGIN", "STANDS_OUT", "LEAST_TURN", "IDLE"),
-    "diagnosis.components": ("SIZES", "SWEEPS"),
     "diagnosis.wandering": ("MODES",),
     "diagnosis.scattering": ("ROUNDED", "SIZES"),
     "diagnosis.unnamed": ("SMALLEST",),

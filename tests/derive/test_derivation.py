@@ -453,7 +453,7 @@ def test_lines_that_steps_lead_to_make_them(pages: Path) -> None:
 
 @pytest.mark.walk
 def test_a_report_is_the_same_bytes_anywhere(pages: Path, tmp_path: Path) -> None:
-    command = f"import deltacal_gen as dc; dc.derivation('diamond/12', r'{tmp_path / 'other.html'}')"
+    command = f"import deltacal_gen as dc; dc.derivation('diamond/12', output=r'{tmp_path / 'other.html'}')"
     elsewhere = {"PYTHONPATH": os.pathsep.join(sys.path), "PYTHONHASHSEED": "11", "TZ": "Asia/Tokyo"}
     subprocess.run([sys.executable, "-c", command], check=True, cwd=tmp_path, env={**os.environ, **elsewhere})
     text = (pages / "diamond-12.html").read_bytes()

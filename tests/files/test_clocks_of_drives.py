@@ -192,11 +192,6 @@ def test_a_simulation_has_the_clock_of_its_truth(tmp_path: Path) -> None:
         dc.simulate(tmp_path / "robot.toml", path, truth=tmp_path / "truth.toml")
 
 
-def test_what_needs_one_clock_says_so(recorded: Path) -> None:
-    with pytest.raises(InputError, match="here one clock is needed"):
-        dc.study(recorded.with_name("robot.toml"), plan=recorded, noise=NOISE)
-
-
 def test_recorded_derivatives_are_read_on_the_clock_of_the_joints(tmp_path: Path) -> None:
     path = written(tmp_path, offsets={"a": 0.3}, rate=0.0)
     t = np.arange(0, 8.0, STEP)

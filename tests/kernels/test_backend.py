@@ -35,10 +35,10 @@ if "small" in history:
         mechanism.forward(np.full((7, 3), angle), np.zeros(3), mechanism.rows(robot))
 for size in ("small", "large"):
     result = folder / f"{size}.json"
-    dc.identify(robot, folder / f"{size}.csv", "18", result)
-    dc.compensate(result, output=folder / f"{size}.c", export="c")
+    dc.identify(robot, folder / f"{size}.csv", model="18", output=result)
+    dc.export_compensator(result, output=folder / f"{size}.c", export="c")
 dc.diagnose(robot, folder / "small.csv", output=folder / "diagnosis.json")
-dc.compensate(folder / "diagnosis.json", output=folder / "diagnosis.c", export="c")
+dc.export_compensator(folder / "diagnosis.json", output=folder / "diagnosis.c", export="c")
 print("deltacal_kernels.cache" in sys.modules)
 """
 

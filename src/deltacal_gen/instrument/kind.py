@@ -14,6 +14,7 @@ import dataclasses
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -22,9 +23,11 @@ from deltacal_gen.instrument.facts import Facts
 from deltacal_gen.machine.registry import Array, Machine
 from deltacal_gen.machine.rotation import to_vector
 from deltacal_gen.machine.values import Measurement, Recording, Robot
-from deltacal_gen.results.parts import InstrumentState
-from deltacal_gen.results.result import TouchedPoint
 from deltacal_gen.units import DEG, file_unit
+
+if TYPE_CHECKING:
+    from deltacal_gen.results.parts import InstrumentState
+    from deltacal_gen.results.result import TouchedPoint
 
 STARTS = 20  # steps of the instrument alone, from where its file lets it stand
 TURN_MM = 100.0  # at which a measured turn of 1 rad counts as a shift: what 6D trackers read, 0.01 mm beside 0.006 deg
@@ -282,6 +285,8 @@ class Instrument:
 
     def kept(self, setups: Sequence[str], zero: str, columns: Sequence[str] = ()) -> InstrumentState:
         """Return what an answer keeps of it, and of the recording that it was found by; see `kinds.instrument_of`."""
+        from deltacal_gen.results.parts import InstrumentState
+
         return InstrumentState(
             kind=self.kind.name,
             state=self.state,

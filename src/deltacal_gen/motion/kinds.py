@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 
-from deltacal_gen.errors import BadValue, ClockMismatch, InputError
+from deltacal_gen.errors import BadValue, InputError
 from deltacal_gen.files.columns import DRIVE, JOINT, Columns, instrument_path
 from deltacal_gen.files.dialect import LOOKED_AT
 from deltacal_gen.files.robot import robot_of
@@ -51,12 +51,6 @@ class Torque:
 
     def read(self, robot: Robot, *, need_measured: bool = True) -> Trajectories:
         """Return the recording, of one clock; raises InputError."""
-        if self._sidecar.measurement.clock is not None:
-            raise ClockMismatch(
-                "the sidecar says that drives are read on a clock of their own: here one clock is needed.",
-                "Leave clock out.",
-                file=self._path.with_suffix(".toml"),
-            )
         found = trajectories.read(self._path, mechanism_of(robot), self._sidecar, need_measured=need_measured)
         return dataclasses.replace(found, constants=_constants(robot))
 

@@ -7,7 +7,7 @@ the few samples of a short run, and where a motion turns within a few samples, b
 from __future__ import annotations
 
 import dataclasses
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -16,9 +16,11 @@ from deltacal_gen.instrument.sampled import at_rate, runs_of
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics import splines
-from deltacal_gen.results.parts import SeriesMade
 from deltacal_gen.states import ACCELERATIONS, APPROACH, SPEEDS, TIME
 from deltacal_gen.units import joint_factors, joint_names, of_joints
+
+if TYPE_CHECKING:
+    from deltacal_gen.results.parts import SeriesMade
 
 FEWEST = 3  # instants of a run: of fewer there is no acceleration
 RECORDED = "velocities and accelerations as recorded"
@@ -43,6 +45,8 @@ def motion_of(recording: Recording) -> dict[str, Array]:
 
 def _made(recording: Recording) -> tuple[dict[str, Array], SeriesMade | None]:
     """Return columns as `motion_of` does, and what was done; nothing where nothing is made."""
+    from deltacal_gen.results.parts import SeriesMade
+
     time, joints = recording.time_s, recording.joints
     if time is None or not np.isfinite(time).all():
         return {}, None

@@ -6,7 +6,7 @@ import dataclasses
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import deltacal_kernels.effects
 import numpy as np
@@ -15,9 +15,11 @@ from deltacal_gen import states
 from deltacal_gen.machine.backend import RowFunctions, row_functions
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.law import Law, is_law, load_law
-from deltacal_gen.results.parts import TermState
 from deltacal_gen.states import State
 from deltacal_gen.units import of_joints, of_sliding
+
+if TYPE_CHECKING:
+    from deltacal_gen.results.parts import TermState
 
 DOUBTED = 2.0  # standard deviations by which a coefficient may lie outside its believable range
 UNKNOWN = "of a session without the channel"
@@ -352,6 +354,8 @@ def on_limbs(term: Term, limbs: Sequence[int]) -> Term:
 
 def kept_term(term: Term) -> TermState:
     """Return what an answer keeps of a term, in its own units inside."""
+    from deltacal_gen.results.parts import TermState
+
     return TermState(
         effect=term.effect,
         limbs=term.limbs,

@@ -6,6 +6,7 @@ import functools
 import importlib
 import importlib.util
 import pkgutil
+from typing import TYPE_CHECKING
 
 import deltacal_kernels.measurements
 import numpy as np
@@ -15,7 +16,9 @@ from deltacal_gen.instrument.kind import Instrument, Kind, Readings
 from deltacal_gen.instrument.several import Several
 from deltacal_gen.machine.registry import Array, Machine
 from deltacal_gen.machine.values import Recording, Robot, poses_of
-from deltacal_gen.results.parts import InstrumentState
+
+if TYPE_CHECKING:
+    from deltacal_gen.results.parts import InstrumentState
 
 POINTS = "position"  # where points are: what rows hold where nothing says what they do
 PAIRS = "distance"  # what lies between two rows: what pairs hold, and all of positions whose frame does not matter

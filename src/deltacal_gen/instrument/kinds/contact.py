@@ -9,7 +9,7 @@ import dataclasses
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 
@@ -18,7 +18,9 @@ from deltacal_gen.instrument.facts import Look
 from deltacal_gen.instrument.kind import Frame, Instrument, Kind, Readings
 from deltacal_gen.machine.registry import Array, Machine
 from deltacal_gen.machine.values import Measurement, Recording, Robot
-from deltacal_gen.results.result import TouchedPoint
+
+if TYPE_CHECKING:
+    from deltacal_gen.results.result import TouchedPoint
 
 TIE_STEPS = 4  # each squares what a known distance is off
 ORIGIN = slice(9, 12)  # of the frames, in their state
@@ -118,6 +120,8 @@ class Contact(Kind):
 
     def points(self, instrument: Instrument, recording: Recording) -> tuple[TouchedPoint, ...]:
         """Return where the points are in {O}."""
+        from deltacal_gen.results.result import TouchedPoint
+
         return tuple(
             TouchedPoint(name=str(n), position_mm=tuple((-t).tolist()))
             for n, t in zip(names(recording), instrument.state[:, ORIGIN], strict=True)
