@@ -37,7 +37,7 @@ class Terminal:
 
     def say(self, words: str) -> None:
         """Print words for a person."""
-        self._words.print(words, markup=False)
+        self._words.print(words, markup=False, soft_wrap=True)  # a path stays whole
 
     def warn(self, words: str, what: str) -> None:
         """Print words that do not belong to the answer, after what they are."""
