@@ -174,12 +174,15 @@ def _ended(function: Function, left: dict[int, Task], pool: Pool, alone: bool = 
                 for number, outcome in results:
                     del left[number]
                     yield number, outcome
-            except Exception as error:
+            except Exception as error:  # of a worker that ended: loky, Dask and pickle each have classes of their own
+                lost = [n for n in begun if n in left]
+                if not lost:
+                    raise  # no task's doing: trying again would not end
                 if alone:
                     number, task = left.popitem()
                     words = f"its worker ended, out of memory or killed: {type(error).__name__}: {error}"
                     yield number, Outcome(task.key, task.label, None, words.partition(". ")[0])
-                for number in [n for n in begun if n in left]:
+                for number in () if alone else lost:
                     yield from _ended(function, {number: left.pop(number)}, pool, alone=True)
 
 

@@ -272,3 +272,12 @@ def test_a_cluster_gives_what_local_workers_give_though_one_is_killed(
         if len(found) == 3:
             workers[0].kill()
     assert squares(found) == [n * n for n in range(16)]
+
+
+def test_what_no_task_did_is_raised_and_not_tried_for_ever() -> None:
+    def broken(jobs: Iterator[Any]) -> Iterator[Any]:
+        raise OSError("no room for workers")
+        yield from jobs
+
+    with pytest.raises(OSError, match="no room for workers"):
+        next(execution._ended(square, {0: Task("key", "one", lambda: (1,))}, broken))
