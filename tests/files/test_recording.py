@@ -23,7 +23,6 @@ from deltacal_gen.files.checks import check_units
 from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import robot_from_dict
 from deltacal_gen.files.writing import write_files, write_recording
-from deltacal_gen.machine.machine import GeometryKey
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.rotation import to_vector
 from deltacal_gen.machine.values import Recording
@@ -35,8 +34,6 @@ SPACE: Any = {
     "asks": ("px", "py", "pz"),
     "widths": (3,),
     "turning": False,
-    "linked": False,
-    "parameters": (),
     "geometry": (),
 }
 DELTA: Any = SimpleNamespace(name="delta", limbs=3, joint_unit="rad", **SPACE)
@@ -282,10 +279,16 @@ def test_a_flaw_of_the_distances(
 
 # --- units ----------------------------------------------------------------------------------------------------------
 
-LENGTH = GeometryKey(
-    key="length", unit="mm", per_limb=False, default=None, table="geometry", meaning="", positive=True, entry=None
-)
-SIZED: Any = SimpleNamespace(**vars(DELTA) | {"geometry": (LENGTH,)})
+SIZED: Any = {  # a machine of 1500 mm
+    "robot": {"mechanism": "delta"},
+    "geometry": {
+        "base_radius": 200.0,
+        "platform_radius": 50.0,
+        "proximal_length": 350.0,
+        "distal_length": 800.0,
+        "joint_spacing": 100.0,
+    },
+}
 
 
 @pytest.mark.parametrize(
@@ -305,16 +308,15 @@ def test_units_are_checked_against_the_machine(read: Any, q_scale: float, x_scal
     x = np.array([[10.0, 250.0, -700.0], [-200.0, 30.0, -750.0], [300.0, 10.0, -800.0]]) * x_scale
     rows = [",".join(map(repr, row)) for row in np.hstack([q, x]).tolist()]
     recording = read(csv(*rows, header=JOINTS + ",x_mm,y_mm,z_mm"))
-    tables = {"robot": {"mechanism": "delta"}, "geometry": {"length": 1500.0}}
-    robot = robot_from_dict(tables, load=lambda name: SIZED)
+    robot = robot_from_dict(SIZED)
     if not said:
-        check_units(recording, robot, load=lambda name: SIZED)
+        check_units(recording, robot)
         return
     with pytest.raises(InputError, match=said):
-        check_units(recording, robot, load=lambda name: SIZED)
+        check_units(recording, robot)
     if "turn" in said:
         free = dataclasses.replace(robot, joint_limits=np.array([[-900.0, 900.0]] * 3) * DEG)
-        check_units(recording, free, load=lambda name: SIZED)
+        check_units(recording, free)
 
 
 @pytest.mark.parametrize(("scale", "zero"), [(1.0, "absolute"), (1e-3, "absolute"), (1e-3, "incremental")])
@@ -323,10 +325,10 @@ def test_a_ball_bar_s_length_hardly_changes_and_is_no_length_in_metres(read: Any
     rows = [f"{q},{-q},{q / 2},{300.1 * scale}" for q in (-40, 10, 50)]
     sidecar = f'[measurement]\nzero = "{zero}"\nbase_point_mm = [0.0, 0.0, -800.0]\n'
     recording = read(csv(*rows, header=JOINTS + ",gauge_mm"), sidecar)
-    robot = robot_from_dict({"robot": {"mechanism": "delta"}, "geometry": {"length": 1500.0}}, load=lambda name: SIZED)
+    robot = robot_from_dict(SIZED)
     wrong = scale < 1.0 and zero == "absolute"
     with pytest.raises(InputError, match="look like metres") if wrong else contextlib.nullcontext():
-        check_units(recording, robot, load=lambda name: SIZED)
+        check_units(recording, robot)
 
 
 @pytest.mark.parametrize("kind", ["revolute", "prismatic"])

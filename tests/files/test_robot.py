@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -13,57 +12,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from deltacal_gen.app.demonstration import example
-from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.errors import InputError
 from deltacal_gen.files.robot import read_robot, robot_from_dict, robot_size, robot_to_dict, robot_to_toml
-from deltacal_gen.machine.machine import GeometryKey
+from deltacal_gen.machine.registry import load_mechanism
 from deltacal_gen.units import DEG, to_file
 
 LENGTHS = ("base_radius", "platform_radius", "proximal_length", "distal_length", "joint_spacing")
-
-
-def geometry_key(key: str, unit: str = "mm", per_limb: bool = False, **other: Any) -> GeometryKey:
-    fields = {
-        "default": None,
-        "table": "geometry",
-        "meaning": f"what {key} means",
-        "positive": True,
-        "entry": None,
-    } | other
-    return GeometryKey(key=key, unit=unit, per_limb=per_limb, **fields)
-
-
-ANGLES = geometry_key("limb_angle_deg", "rad", True, default=(-90 * DEG, 30 * DEG, 150 * DEG), table="joints")
-DELTA = SimpleNamespace(
-    name="delta",
-    limbs=3,
-    joint_unit="rad",
-    linked=False,
-    turning=False,
-    machine="delta",
-    axes=("x", "y", "z"),
-    layers=(-1, -1),
-    geometry=(*(geometry_key(key) for key in LENGTHS), ANGLES),
-    parameters=tuple(
-        SimpleNamespace(name=f"{name}_{limb}", unit=unit, meaning="", limb=limb)
-        for limb in (1, 2, 3)
-        for name, unit in (("theta", "rad"), ("ex", "mm"), ("L", "mm"), ("scale", "1"))
-    ),
-)
-TOWERS = SimpleNamespace(
-    name="towers",
-    limbs=3,
-    joint_unit="mm",
-    linked=False,
-    turning=False,
-    geometry=(geometry_key("radius"), geometry_key("arm_length", per_limb=True)),
-    parameters=(),
-)
-
-
-def load(name: str) -> Any:
-    if name not in ("delta", "towers"):
-        raise UsageError(f"there is no mechanism '{name}'; known are delta, towers.")
-    return DELTA if name == "delta" else TOWERS
 
 
 TEXT = """\
@@ -110,7 +64,7 @@ limits_deg = [
 def read(tmp_path: Path, text: str) -> Any:
     path = tmp_path / "robot.toml"
     path.write_text(text, encoding="utf-8")
-    return read_robot(path, load=load)
+    return read_robot(path)
 
 
 def test_a_complete_file_is_read_in_internal_units(tmp_path: Path) -> None:
@@ -127,11 +81,12 @@ def test_a_complete_file_is_read_in_internal_units(tmp_path: Path) -> None:
     assert robot.tolerance == {"theta_1": 0.5 * DEG, "L_2": 0.05}
     assert robot.joint_sign.tolist() == [1.0, -1.0, 1.0]
     np.testing.assert_allclose(robot.joint_limits, [[-60 * DEG, 95 * DEG]] * 3)
-    assert robot_size(robot, load=load) == 1676.0
+    assert robot_size(robot) == 1676.0
 
 
 def test_optional_tables_may_be_absent_and_one_number_stands_for_all_limbs(tmp_path: Path) -> None:
-    robot = read(tmp_path, '[robot]\nmechanism = "towers"\n[geometry]\nradius = 160.0\narm_length = 345.0\n')
+    lengths = "radius = 160.0\narm_length = 345.0\ntower_angle = [210.0, 330.0, 90.0]\nendstop = 380.0\n"
+    robot = read(tmp_path, f'[robot]\nmechanism = "linear_delta"\n[geometry]\n{lengths}')
     assert robot.geometry["arm_length"].tolist() == [345.0] * 3
     assert robot.joint_sign.tolist() == [1.0] * 3
     assert (robot.workspace, robot.masses, robot.transmission, robot.joint_limits) == (None,) * 4
@@ -150,7 +105,7 @@ def test_optional_tables_may_be_absent_and_one_number_stands_for_all_limbs(tmp_p
             "distal_length = 950.0",
             "",
             5,
-            "'distal_length' in [geometry] is missing. Add it: what distal_length means [mm]",
+            "'distal_length' in [geometry] is missing. Add it: l: length of the rods [mm]",
         ),
         ("base_radius = 200.0", "gravity = 200.0", 6, "'gravity' in [geometry] is not known. It belongs to [masses]."),
         ("[geometry]   # mm", "[geometri]", 5, "'geometri' is not known. Did you mean 'geometry'?"),
@@ -166,9 +121,10 @@ def test_optional_tables_may_be_absent_and_one_number_stands_for_all_limbs(tmp_p
         ("limits_deg", "limits_mm", 35, "Did you mean 'limits_deg'?"),
         ("theta_1 = 0.1", "teta_1 = 0.1", 29, "'teta_1' in [errors] is not known. Did you mean 'theta_1'?"),
         ("L_2 = 0.05", "L_2 = 0.0", 32, "a number above 0 was expected"),
-        ("top = 728.0", "", 13, "'top' in [workspace] is missing"),
+        ("top = 728.0", "", 13, "'top' in [workspace] is missing. Add it: the workspace of delta is a cylinder [mm]"),
+        ("radius = 500.0", "width = 500.0", 15, "'width' in [workspace] is not known. Known here: top, height, radius"),
         ("platform = 0.8", "plattform = 0.8", 22, "Did you mean 'platform'?"),
-        ('mechanism = "delta"', 'mechanism = "detla"', 3, "no mechanism 'detla'; known are delta, towers."),
+        ('mechanism = "delta"', 'mechanism = "detla"', 3, "no mechanism 'detla'. Registered: "),
         ('mechanism = "delta"', "", 1, "'mechanism' in [robot] is missing"),
         ("[robot]", "[robot", 1, "this is not TOML"),
     ],
@@ -184,10 +140,10 @@ def test_a_flaw_is_named_with_its_line_and_a_remedy(tmp_path: Path, old: str, ne
 
 @pytest.mark.parametrize(("factor", "unit"), [(1e-3, "metres"), (1e3, "micrometres")])
 def test_lengths_in_another_unit_are_noticed(tmp_path: Path, factor: float, unit: str) -> None:
-    tables = robot_to_dict(read(tmp_path, TEXT), load=load)
+    tables = robot_to_dict(read(tmp_path, TEXT))
     tables["geometry"] |= {key: tables["geometry"][key] * factor for key in LENGTHS}
     with pytest.raises(InputError, match=f"look like {unit} .* the file is in millimetres"):
-        robot_from_dict(tables, load=load)
+        robot_from_dict(tables)
 
 
 @pytest.mark.parametrize("name", ["delta", "hexapod", "linear_delta"])
@@ -202,19 +158,19 @@ def test_directions_in_radians_are_noticed(name: str) -> None:
 
 def test_a_file_that_cannot_be_read_is_an_input_error(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="cannot be read: No such file"):
-        read_robot(tmp_path / "none.toml", load=load)
+        read_robot(tmp_path / "none.toml")
     (tmp_path / "latin.toml").write_bytes(b'[robot]\nname = "Gr\xf6\xdfe"\n')
     with pytest.raises(InputError, match=r"latin.toml, line 2: byte \d+ is not UTF-8"):
-        read_robot(tmp_path / "latin.toml", load=load)
+        read_robot(tmp_path / "latin.toml")
     (tmp_path / "deep.toml").write_text("a = " + "[" * 5000)
     with pytest.raises(InputError, match="this is not TOML"):
-        read_robot(tmp_path / "deep.toml", load=load)
+        read_robot(tmp_path / "deep.toml")
 
 
 def test_writing_gives_back_the_numbers_as_they_were_typed(tmp_path: Path) -> None:
     robot = read(tmp_path, TEXT)
-    assert "theta_1 = 0.1\n" in robot_to_toml(robot, load=load)
-    assert "limits_deg = [[-60.0, 95.0], [-60.0, 95.0], [-60.0, 95.0]]" in robot_to_toml(robot, load=load)
+    assert "theta_1 = 0.1\n" in robot_to_toml(robot)
+    assert "limits_deg = [[-60.0, 95.0], [-60.0, 95.0], [-60.0, 95.0]]" in robot_to_toml(robot)
 
 
 lengths = st.floats(10.0, 5000.0)
@@ -229,7 +185,7 @@ turned = signed.filter(lambda v: abs(v) > 10.0)  # limbs all round within a few 
         dict.fromkeys(LENGTHS, lengths) | {"tool": st.lists(signed, min_size=3, max_size=3)}
     ),
     joints=st.fixed_dictionaries({"limb_angle_deg": st.lists(turned, min_size=3, max_size=3)}),
-    errors=st.dictionaries(st.sampled_from([p.name for p in DELTA.parameters]), signed, min_size=1),
+    errors=st.dictionaries(st.sampled_from([p.name for p in load_mechanism("delta").parameters]), signed, min_size=1),
 )
 def test_a_robot_survives_toml(tmp_path_factory: Any, name: str, geometry: Any, joints: Any, errors: Any) -> None:
     tables = {
@@ -239,8 +195,8 @@ def test_a_robot_survives_toml(tmp_path_factory: Any, name: str, geometry: Any, 
         "joints": joints | {"sign": [1, 1, -1], "limits_deg": [[-1.0, 1.0]] * 3},
         "errors": errors,
     }
-    robot = robot_from_dict(tables, load=load)
-    again = read(tmp_path_factory.getbasetemp(), robot_to_toml(robot, load=load))
+    robot = robot_from_dict(tables)
+    again = read(tmp_path_factory.getbasetemp(), robot_to_toml(robot))
     assert again.name == name
     assert again.masses == robot.masses
     for key, values in robot.geometry.items():

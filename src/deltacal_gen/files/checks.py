@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Callable, Iterator
-from typing import TYPE_CHECKING
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -16,10 +15,6 @@ from deltacal_gen.machine.values import Recording, Robot
 from deltacal_gen.states import RECORDED
 from deltacal_gen.units import DEG, file_unit, of_joints, to_file
 
-if TYPE_CHECKING:
-    from deltacal_gen.machine.registry import Machine
-
-
 _SAME_JOINT = 1e-6 * DEG  # rad, and mm: joints that differ by more are not the same pose
 _LEAST_SPREAD = 0.01  # of readings, in machine sizes per rad of joint motion (1 rad at most)
 _MOST_SPREAD = 20.0  # in machine sizes
@@ -30,7 +25,7 @@ _TURN, _MOST_TURN = 360.0, 720.0  # deg: of limbs, and of arms, whose wrists tur
 _RADIANS = 1.6  # a column of degrees that stays within this may be in radians
 
 
-def check_units(recording: Recording, robot: Robot, *, load: Callable[[str], Machine] | None = None) -> None:
+def check_units(recording: Recording, robot: Robot) -> None:
     """Compare joints and readings with the size of the machine.
 
     Raises
@@ -53,7 +48,7 @@ def check_units(recording: Recording, robot: Robot, *, load: Callable[[str], Mac
             column=f"q{joint + 1}_deg",
         )
     # an axis is as long as it slides
-    size = robot_size(robot, load=load) + float(np.ptp(q[:, ~turning], axis=0).max(initial=0.0)) * bool(robot.links)
+    size = robot_size(robot) + float(np.ptp(q[:, ~turning], axis=0).max(initial=0.0)) * bool(robot.links)
     if size == 0:
         raise BadValue(
             "the machine has no size: the lengths of all its links are 0, and no joint slides in this recording.",

@@ -12,38 +12,23 @@ import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import Annotated, Any, Literal
 
 import numpy as np
-from pydantic import (
-    AfterValidator,
-    BaseModel,
-    BeforeValidator,
-    Field,
-    create_model,
-)
+from pydantic import AfterValidator, BaseModel, BeforeValidator, Field, create_model
+from pydantic_core import to_jsonable_python
 
 from deltacal_gen.errors import FileFormat, UnknownModel, UsageError, WrongUnit
 from deltacal_gen.files.toml import NonNegative, Number, Positive, Raw, Table, TomlFile, Vector, table_of, toml_text
+from deltacal_gen.machine.registry import GeometryKey, Machine, described, load_mechanism, mechanism_of
 from deltacal_gen.machine.values import Link, Masses, Robot, Transmission, Workspace
-from deltacal_gen.results.parts import Named, RobotTables
+from deltacal_gen.results.parts import RobotTables
 from deltacal_gen.units import file_unit, joint_factors, of_joints, to_file, to_internal
-
-if TYPE_CHECKING:
-    from deltacal_gen.machine.registry import GeometryKey, Machine
-
-    Loader = Callable[[str], Machine]
 
 TABLES = (".csv", ".parquet", ".xlsx", ".txt")  # endings of recordings
 SHORTEST_MACHINE = 2.0  # mm; a machine whose longest length is below this was written down in metres
 ROUNDED = 5e-3  # by which a right angle in radians may be: 1.57
 LONGEST_LINK = 20_000.0  # mm; a length above this was written down in micrometres
-
-
-def _is_sign(value: float) -> float:
-    if value not in (-1.0, 1.0):
-        raise ValueError("1 or -1 was expected")
-    return value
 
 
 def _is_interval(pair: tuple[float, ...]) -> tuple[float, ...]:
@@ -65,12 +50,8 @@ def _per_limb(item: Any, limbs: int) -> Any:
     return Annotated[_list(item, limbs), BeforeValidator(spread)]
 
 
-_Sign: Any = Annotated[Number, AfterValidator(_is_sign)]
 _Tensor: Any = _list(Number, 6)
 _Interval: Any = Annotated[_list(Number, 2), AfterValidator(_is_interval)]
-
-
-_Workspace = table_of(Workspace, Positive, turn=NonNegative, layers=None)
 _Masses = table_of(Masses, NonNegative, proximal_com=Number, gravity=Vector)
 _Transmission = table_of(Transmission, Positive, torque_constant_Nm_A=tuple[Positive, ...])
 
@@ -79,7 +60,6 @@ class _Joint(Table):
     """One link of an open chain, as a table ``[[joint]]`` of the robot file [mm, deg, kg]."""
 
     kind: Literal["revolute", "prismatic", "fixed", "coupled"]
-    coupling: dict[str, Number] = Field(default_factory=dict)
     convention: Literal["standard", "modified"] = "standard"
     a: Number = 0.0
     alpha: Number = 0.0
@@ -87,19 +67,18 @@ class _Joint(Table):
     theta: Number = 0.0
     mass: NonNegative = 0.0
     com: Vector = (0.0, 0.0, 0.0)
+    coupling: dict[str, Number] | None = None
     inertia: _Tensor | None = None
     rotor_inertia: NonNegative | None = None
 
 
-def read_robot(path: str | Path, *, load: Loader | None = None) -> Robot:
+def read_robot(path: str | Path) -> Robot:
     """Read a robot file.
 
     Parameters
     ----------
     path : path
         The TOML file [mm, deg].
-    load : callable, optional
-        Finds a mechanism by its name; the registered mechanisms by default.
 
     Raises
     ------
@@ -108,29 +87,24 @@ def read_robot(path: str | Path, *, load: Loader | None = None) -> Robot:
     """
     if Path(path).suffix.lower() in TABLES:
         raise FileFormat("this is a table, where a robot file is wanted.", "Give the robot first (TOML).", file=path)
-    return _robot(TomlFile.read(path), load)
+    return _robot(TomlFile.read(path))
 
 
-def robot_from_dict(tables: Raw, *, load: Loader | None = None) -> Robot:
+def robot_from_dict(tables: Raw) -> Robot:
     """Robot from the tables of a robot file, as `robot_to_dict` gives them [mm, deg]; raises InputError."""
-    return _robot(TomlFile(None, "", dict(tables)), load)
+    return _robot(TomlFile(None, "", dict(tables)))
 
 
-def robot_to_dict(robot: Robot, *, load: Loader | None = None) -> dict[str, Any]:
+def robot_to_dict(robot: Robot) -> dict[str, Any]:
     """Tables of a complete robot file, ready for JSON or TOML [mm, deg]."""
-    mechanism = load(robot.mechanism) if load else _registered(robot.mechanism, robot.links)
+    mechanism = mechanism_of(robot)
     tables: dict[str, Any] = {"robot": {"name": robot.name, "mechanism": robot.mechanism}}
     if robot.drawn:
         tables["geometry"] = {"tool": [float(value) for value in robot.tool]}
-    parts = (
-        ("workspace", _Workspace, robot.workspace),
-        ("masses", _Masses, robot.masses),
-        ("transmission", _Transmission, robot.transmission),
-    )
-    for name, table, part in parts:
-        if part is not None:
-            said = table(**{key: getattr(part, key) for key in table.model_fields})
-            tables[name] = said.model_dump(mode="json", exclude_none=True)
+    for name in ("workspace", "masses", "transmission"):
+        if (part := getattr(robot, name)) is not None:
+            said = to_jsonable_python(part, exclude={"layers"})
+            tables[name] = {key: value for key, value in said.items() if value is not None}
     tables["joints"] = {"sign": [int(sign) for sign in robot.joint_sign]}
     if robot.joint_limits is not None:
         joints = zip(robot.joint_limits, of_joints(mechanism.joint_unit, mechanism.limbs), strict=True)
@@ -154,11 +128,7 @@ def robot_to_dict(robot: Robot, *, load: Loader | None = None) -> dict[str, Any]
 
 def kept_robot(robot: Robot) -> RobotTables:
     """Return what an answer keeps of a robot: a complete robot file [mm, deg]."""
-    tables = robot_to_dict(robot)
-    joints = tables.pop("joint", None)
-    return RobotTables(
-        **tables | {"robot": Named(**tables["robot"]), "joint": None if joints is None else tuple(joints)}
-    )
+    return RobotTables.model_validate(robot_to_dict(robot))
 
 
 def robot_of(kept: RobotTables) -> Robot:
@@ -166,17 +136,17 @@ def robot_of(kept: RobotTables) -> Robot:
     return robot_from_dict(kept.to_dict())
 
 
-def robot_to_toml(robot: Robot, *, load: Loader | None = None) -> str:
+def robot_to_toml(robot: Robot) -> str:
     """Text of a complete robot file that reads back as the same robot, to the last digit or two."""
-    return toml_text(robot_to_dict(robot, load=load))
+    return toml_text(robot_to_dict(robot))
 
 
-def robot_size(robot: Robot, *, load: Loader | None = None) -> float:
+def robot_size(robot: Robot) -> float:
     """Sum of the machine's lengths, the mean over the limbs of each [mm]: a yardstick for plausible readings."""
     if robot.links:  # a chain reaches as far as its links together
         return float(np.abs(robot.geometry["a"]).sum() + np.abs(robot.geometry["d"]).sum())
-    keys = (load or _registered)(robot.mechanism).geometry
-    return float(sum(np.abs(robot.geometry[key.key]).mean() for key in keys if key.unit == "mm"))
+    lengths = (key.key for key in mechanism_of(robot).geometry if key.unit == "mm")
+    return float(sum(np.abs(robot.geometry[key]).mean() for key in lengths))
 
 
 def for_model(robot: Robot, model: str) -> Robot:
@@ -199,7 +169,7 @@ def for_names(robot: Robot, names: Iterable[str]) -> Robot:
 
 
 def _described(robot: Robot, what: str, fits: Callable[[Machine], bool]) -> Robot:
-    other = _variant(_registered(robot.mechanism, robot.links), fits)
+    other = _variant(mechanism_of(robot), fits)
     if foreign := sorted(name for name, value in robot.errors.items() if value and name not in other.index):
         raise UnknownModel(
             f"{what}: {other.name} has no {foreign[0]}, which the robot file names; errors of two kinds mix."
@@ -213,28 +183,14 @@ def _described(robot: Robot, what: str, fits: Callable[[Machine], bool]) -> Robo
 
 def _variant(mechanism: Machine, fits: Callable[[Machine], bool]) -> Machine:
     """Return the first description of a machine, its own before others, that fits; its own where none does."""
-    from deltacal_gen.machine.registry import described
-
     return mechanism if fits(mechanism) else next(filter(fits, described(mechanism)), mechanism)
 
 
 def _joint_table(robot: Robot, k: int) -> dict[str, Any]:
-    link = robot.links[k]
-    table: dict[str, Any] = {"kind": link.kind, "convention": link.convention}
-    if link.coupling:
-        table["coupling"] = {str(number): much for number, much in link.coupling}
-    table |= {key: to_file(robot.geometry[key][k], unit) for key, unit in _LINK_UNITS.items()}
-    table |= {"mass": link.mass, "com": list(link.com)}
-    if link.inertia is not None:
-        table["inertia"] = list(link.inertia)
-    return table if link.rotor_inertia is None else table | {"rotor_inertia": link.rotor_inertia}
-
-
-def _registered(name: str, links: tuple[Link, ...] = ()) -> Machine:
-    # Imported on first use, so that injected mechanisms cost no import of the kernels.
-    from deltacal_gen.machine.registry import load_mechanism
-
-    return load_mechanism(name, links)
+    drawn = {key: to_file(robot.geometry[key][k], unit) for key, unit in _LINK_UNITS.items()}
+    coupling = {str(number): much for number, much in robot.links[k].coupling}
+    said: dict[str, Any] = robot.links[k]._asdict() | drawn | {"coupling": coupling or None}
+    return _Joint(**said).model_dump(mode="json", exclude_none=True)
 
 
 _LINK_UNITS = {"a": "mm", "alpha": "rad", "d": "mm", "theta": "rad"}
@@ -245,7 +201,7 @@ def _links(file: TomlFile, joints: Sequence[_Joint]) -> tuple[Link, ...]:
     found = []
     for k, joint in enumerate(joints, start=1):
         coupling = []
-        for number, much in joint.coupling.items():
+        for number, much in (joint.coupling or {}).items():
             other = int(number) if number.isdigit() else 0
             if not 1 <= other <= len(joints) or joints[other - 1].kind not in ("revolute", "prismatic"):
                 raise file.error(
@@ -268,17 +224,15 @@ def _links(file: TomlFile, joints: Sequence[_Joint]) -> tuple[Link, ...]:
     return tuple(found)
 
 
-def _robot(file: TomlFile, load: Loader | None) -> Robot:
+def _robot(file: TomlFile) -> Robot:
     named = file.check(_Head)
     head, links = named.robot, _links(file, named.joint)
     try:
-        mechanism = load(head.mechanism) if load else _registered(head.mechanism, links)
+        mechanism = _of_errors(file, load_mechanism(head.mechanism, links))
     except UsageError as error:
         raise file.error(
             f"mechanism in [robot]: {error}", "Write the name of a known mechanism.", "robot", "mechanism"
         ) from None
-    if load is None:
-        mechanism = _of_errors(file, mechanism)
     drawn = mechanism.linked or "geometry" in file.data
     said = file.check(_schema(mechanism, drawn))
     tables = {name: dict(getattr(said, name)) for name in ("geometry", "joints", "errors", "tolerance")}
@@ -298,9 +252,10 @@ def _robot(file: TomlFile, load: Loader | None) -> Robot:
         internal = missing if value is None else np.multiply(value, to_internal(key.unit))
         geometry[key.key] = np.atleast_1d(np.asarray(internal, dtype=float))
     limits = tables["joints"][_limits_key(mechanism)]
-    factors = {parameter.name: to_internal(parameter.unit) for parameter in mechanism.parameters}
+    factors = np.array(joint_factors(mechanism.joint_unit, mechanism.limbs))
+    units = {parameter.name: parameter.unit for parameter in mechanism.parameters}
     errors, tolerance = (
-        {name: value * factors[name] for name, value in tables[table].items() if value is not None}
+        {name: value * to_internal(units[name]) for name, value in tables[table].items() if value is not None}
         for table in ("errors", "tolerance")
     )
     return Robot(
@@ -310,39 +265,15 @@ def _robot(file: TomlFile, load: Loader | None) -> Robot:
         tool=np.array(tables["geometry"]["tool"], dtype=float),
         errors=errors,
         tolerance=tolerance,
-        workspace=_workspace(file, said.workspace, mechanism),
+        workspace=None if said.workspace is None else Workspace(**dict(said.workspace), layers=mechanism.layers),
         masses=Masses(**dict(said.masses or ())) if said.masses or any(link.mass for link in links) else None,
         transmission=None if said.transmission is None else Transmission(**dict(said.transmission)),
         joint_sign=np.array(tables["joints"]["sign"], dtype=float),
-        joint_limits=None if limits is None else np.array(limits) * _factors(mechanism),
+        joint_limits=None if limits is None else np.array(limits) * factors[:, None],
         source=file.path,
         links=links,
         limits={key: (float(pair[0]), float(pair[1])) for key, pair in said.limits.items()},
     )
-
-
-def _workspace(file: TomlFile, said: Any, mechanism: Machine) -> Workspace | None:
-    """Return a workspace that suits the mechanism; raises InputError where it has another shape."""
-    if said is None:
-        return None
-    if len(mechanism.axes) == 3:
-        needed: tuple[str, ...] = ("top", "radius", "height")
-        shape, known = "a cylinder", set[str]()
-    elif mechanism.limbs > 1:
-        shape, needed, known = "a rectangle", ("top", "width", "height"), set[str]()
-    else:  # height and depth follow from the stroke
-        shape, needed, known = "a stroke", ("width",), {"top", "height"}
-    known |= {*needed, *(["turn"] if mechanism.turning else [])}
-    missing = [(key, "is missing") for key in needed if key not in said.model_fields_set]
-    strange = [(key, "means nothing here") for key in sorted(said.model_fields_set - known)]
-    for key, what in (*missing, *strange):
-        raise file.error(
-            f"'{key}' in [workspace] {what}; that of {mechanism.machine} is {shape}.",
-            f"Give {', '.join(needed)} in mm.",
-            "workspace",
-            key,
-        )
-    return Workspace(**dict(said), layers=mechanism.layers)
 
 
 def _of_errors(file: TomlFile, mechanism: Machine) -> Machine:
@@ -365,34 +296,26 @@ class _Head(BaseModel):
 
 
 class _RobotFile(Table):
-    """What does not depend on the mechanism; `_schema` adds geometry, joints, errors and tolerance."""
+    """What does not depend on the mechanism; `_schema` adds workspace, geometry, joints, errors and tolerance."""
 
     robot: _Name
-    workspace: _Workspace | None = None  # type: ignore[valid-type]
     masses: _Masses | None = None  # type: ignore[valid-type]
     transmission: _Transmission | None = None  # type: ignore[valid-type]
     limits: dict[str, _Interval] = Field(default_factory=dict)
 
 
+@cache
 def _schema(mechanism: Machine, drawn: bool = True) -> Any:
     """Return the schema of the robot files of one mechanism; None stands for a key that the file does not give.
 
     A machine that is not `drawn` has no table [geometry].
     """
-    keys = () if mechanism.linked else tuple(mechanism.geometry)
-    names = tuple(parameter.name for parameter in mechanism.parameters)
-    return _model(mechanism.limbs, _limits_key(mechanism), mechanism.linked, keys, names, drawn)
-
-
-@cache
-def _model(
-    limbs: int, limits: str, linked: bool, keys: tuple[GeometryKey, ...], names: tuple[str, ...], drawn: bool
-) -> Any:
-    """Return the model of robot files of mechanisms that have this in common; to make one takes longer than a file."""
+    limbs, linked = mechanism.limbs, mechanism.linked
+    keys = () if linked else mechanism.geometry
     geometry: dict[str, Any] = {"tool": (Vector, (0.0, 0.0, 0.0))}
     joints: dict[str, Any] = {
-        "sign": (_per_limb(_Sign, limbs), (1.0,) * limbs),
-        limits: (_list(_Interval, limbs), None),
+        "sign": (_per_limb(Literal[1, -1], limbs), (1,) * limbs),
+        _limits_key(mechanism): (_list(_Interval, limbs), None),
     }
     for key in keys:
         fields = geometry if key.table == "geometry" else joints
@@ -401,25 +324,41 @@ def _model(
         kind = _list(Number, size) if key.entry is not None else _value_type(key, limbs)
         needed = key.default is None and (drawn or key.table != "geometry")
         fields[key.key] = (kind, Field(... if needed else None, description=meaning))
+    names = [parameter.name for parameter in mechanism.parameters]
     absent: Any = Field({}, validate_default=True)
     chain: Any = {"joint": (tuple[_Joint, ...], ...)} if linked else {}
     return create_model(
         "RobotFile",
         __base__=_RobotFile,
         **chain,
-        geometry=(_table("geometry", geometry), absent if linked or not drawn else ...),
-        joints=(_table("joints", joints), absent),
-        errors=(_table("errors", dict.fromkeys(names, (Number, None))), absent),
-        tolerance=(_table("tolerance", dict.fromkeys(names, (Positive, None))), absent),
+        workspace=(_workspace(mechanism) | None, None),
+        geometry=(_table(geometry), absent if linked or not drawn else ...),
+        joints=(_table(joints), absent),
+        errors=(_table(dict.fromkeys(names, (Number, None))), absent),
+        tolerance=(_table(dict.fromkeys(names, (Positive, None))), absent),
     )
 
 
-def _table(name: str, fields: dict[str, Any]) -> Any:
-    return create_model(name, __base__=Table, **fields)
+def _workspace(mechanism: Machine) -> Any:
+    """Return the table of a workspace: a cylinder, in the plane a rectangle, of a single joint a stroke along x."""
+    shape, needed = "a stroke", {"width"}  # height and depth follow from the stroke
+    if len(mechanism.axes) == 3:
+        shape, needed = "a cylinder", {"top", "radius", "height"}
+    elif mechanism.limbs > 1:
+        shape, needed = "a rectangle", {"top", "width", "height"}
+    meaning = f"the workspace of {mechanism.machine} is {shape} [mm]"
+    fields: dict[str, Any] = dict.fromkeys(("top", "height"), (Positive, None))
+    fields |= dict.fromkeys(sorted(needed), (Positive, Field(description=meaning)))
+    return _table(fields | ({"turn": (NonNegative, None)} if mechanism.turning else {}))
+
+
+def _table(fields: dict[str, Any]) -> Any:
+    return create_model("Table", __base__=Table, **fields)
 
 
 def _value_type(key: GeometryKey, limbs: int) -> Any:
-    item: Any = Positive if _is_length(key) else Number
+    """Return what a key holds: distances cannot be zero or negative, coordinates (``positive = False``) can."""
+    item: Any = Positive if key.unit == "mm" and key.positive else Number
     if key.per_limb:
         return _per_limb(item, limbs)
     return item if key.default is None or len(key.default) == 1 else _list(item, len(key.default))
@@ -429,15 +368,6 @@ def _limits_key(mechanism: Machine) -> str:
     """Return ``limits_deg`` or ``limits_mm``; of a chain with both kinds of joints ``limits``, each in its own unit."""
     units = set(of_joints(mechanism.joint_unit, mechanism.limbs))
     return f"limits_{file_unit(units.pop())}" if len(units) == 1 else "limits"
-
-
-def _factors(mechanism: Machine) -> np.ndarray:
-    return np.array([joint_factors(mechanism.joint_unit, mechanism.limbs)]).T
-
-
-def _is_length(key: GeometryKey) -> bool:
-    """Whether the key is a distance, which cannot be zero or negative; coordinates (``positive = False``) can."""
-    return key.unit == "mm" and key.positive
 
 
 def _check_scale(file: TomlFile, mechanism: Machine, tables: Mapping[str, Mapping[str, Any]]) -> None:
