@@ -13,9 +13,10 @@ from typing import Any
 import numpy as np
 
 from deltacal_gen.errors import PrinterFile
-from deltacal_gen.files.imported import Imported, recorded, write_import
+from deltacal_gen.files.imported import recorded
 from deltacal_gen.files.naming import naming
 from deltacal_gen.files.robot import Robot, robot_from_dict
+from deltacal_gen.files.rows import number_of
 from deltacal_gen.machine.registry import SOLVED, Array, load_mechanism
 from deltacal_gen.machine.values import Measurement, Recording
 
@@ -24,6 +25,28 @@ TOWERS = ("stepper_a", "stepper_b", "stepper_c")  # sections of a printer.cfg
 PULLEY = 40.0  # mm of belt per motor turn: 20 teeth of 2 mm, the usual one, where RepRapFirmware does not say
 DECIMALS = 6  # of mm and deg that are kept: a nanometre, a ten-thousandth of a motor's step
 SPREAD = 0.02  # by which the arms of one printer may differ
+
+
+def number(text: str, what: str, remedy: str = "Correct it.", **where: Any) -> float:
+    """Return the number that a file gives for what is named; raise where it is none, or not finite."""
+    value = number_of(text.strip())
+    if value is None or not np.isfinite(value):
+        raise PrinterFile(f"{what} is '{text.strip()}': a number was expected.", remedy, **where)
+    return value
+
+
+def check_delta(m665: Mapping[str, Any], remedy: str) -> None:
+    """Raise where the letters of an M665 leave a length of the machine open; the remedy names the `{letter}`."""
+    for letter, what in (("L", "diagonal rod"), ("R", "delta radius"), ("H", "homed height")):
+        if letter not in m665:
+            raise PrinterFile(f"M665 {letter} ({what}) is missing.", remedy.format(letter=letter))
+
+
+def nozzle_at(robot: Robot, q: Array) -> tuple[Array, np.ndarray]:
+    """Return where the nozzle is (n, 3) at joints (n, 3) [mm], and where the printer can stand so (n,)."""
+    mechanism = load_mechanism(robot.mechanism)
+    x, status = mechanism.forward(q, robot.tool, mechanism.rows(robot))
+    return x[:, :3], status == SOLVED
 
 
 def printer_robot(name: str, geometry: Mapping[str, Any], belt: float | None) -> Robot:
@@ -101,15 +124,3 @@ def doubt_arms(arms: Sequence[float]) -> tuple[str, ...]:
         "calibration went wrong, most often by one distance in the wrong row. Measure the rods with callipers and put "
         "that length into the file.",
     )
-
-
-def done(
-    robot: Robot, recordings: dict[str, Recording], warnings: tuple[str, ...], output: str | Path | None
-) -> Imported:
-    """Return what was imported, written into a folder where there is one; raise where nothing was measured."""
-    if not recordings:
-        raise PrinterFile(
-            "there are neither heights, distances nor a bed mesh in the file.",
-            "Run DELTA_CALIBRATE or BED_MESH_CALIBRATE and SAVE_CONFIG, and give the file again.",
-        )
-    return write_import(Imported(robot, recordings, warnings), output)

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal, cast
+from typing import TYPE_CHECKING, cast
 
 from deltacal_gen.app.commands.common import Source, as_recording, check_output, made, moving_like, write_json
 from deltacal_gen.errors import ReadingsAlreadySeen, WrongFile
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from deltacal_gen.results.certificate import Certificate
     from deltacal_gen.results.comparison import Comparison
     from deltacal_gen.results.motion import MotionDiagnosis, MotionResult, MotionValidation
-    from deltacal_gen.results.parts import InputFile, Made
+    from deltacal_gen.results.parts import Made
     from deltacal_gen.results.reader import Given
     from deltacal_gen.results.result import Result
     from deltacal_gen.results.validation import Validation
@@ -63,7 +63,8 @@ def validate(result: Given, recording: AnyRecording, *, report: Source | None = 
     robot = validation.calibrated_robot(known)
     given = as_known(known, recording, robot)
     own = made(result, recording, measured=given)
-    found = validation.validate(known, given).replace(made=own, seen=_seen_before(own, known.made))
+    seen = True if _seen(own, known.made) else None
+    found = validation.validate(known, given).replace(made=own, seen=seen)
     if report is not None:
         from deltacal_gen.pages import validation as page
 
@@ -78,7 +79,7 @@ def _validated_in_motion(
     from deltacal_gen.files.writing import write_files
 
     moving = moving_like(recording)
-    found = moving.validate(known).replace(made=made_by, seen=_seen_before(made_by, known.made))
+    found = moving.validate(known).replace(made=made_by, seen=True if _seen(made_by, known.made) else None)
     if report is not None:
         from deltacal_gen.pages import motion as page
 
@@ -127,7 +128,12 @@ def certificate(
     given = as_recording(validation, robot)
     said = About() if about is None else read_about(str(about))
     own = made(result, validation, about, measured=given)
-    _check_unseen(own.inputs, known.made.inputs if known.made else (), validation)
+    if isinstance(validation, str | Path) and (name := _seen(own, known.made)) is not None:
+        raise ReadingsAlreadySeen(
+            f"the calibration was made of these readings ('{name}'), so that they are no check of it.",
+            "Give readings that took no part in it.",
+            file=validation,
+        )
     checked = certified.check(known, given)
     days = [str(d) for d in (said.calibration.begin, said.calibration.end) if d is not None]
     found = Certificate(
@@ -165,25 +171,10 @@ def certificate(
     return found
 
 
-def _check_unseen(own: tuple[InputFile, ...], fitted: tuple[InputFile, ...], validation: AnyRecording) -> None:
-    """Raise an InputError where the readings are those of the fit."""
-    if isinstance(validation, str | Path) and (name := _seen(own, fitted)) is not None:
-        raise ReadingsAlreadySeen(
-            f"the calibration was made of these readings ('{name}'), so that they are no check of it.",
-            "Give readings that took no part in it.",
-            file=validation,
-        )
-
-
-def _seen_before(own: Made, fitted: Made | None) -> Literal[True] | None:
-    """Tell whether a fit was made of a file that is asked to check it."""
-    return True if fitted is not None and _seen(own.inputs, fitted.inputs) is not None else None
-
-
-def _seen(own: Sequence[InputFile], fitted: Sequence[InputFile]) -> str | None:
+def _seen(own: Made, fitted: Made | None) -> str | None:
     """Return the name of a file of readings that a fit was made of; None where it saw none of them."""
-    hashes = {file.sha256 for file in fitted if not file.name.lower().endswith(NO_READINGS)}
-    return next((file.name for file in own if file.sha256 in hashes), None)
+    hashes = {file.sha256 for file in fitted.inputs if not file.name.lower().endswith(NO_READINGS)} if fitted else ()
+    return next((file.name for file in own.inputs if file.sha256 in hashes), None)
 
 
 def _number(hashes: list[str]) -> str:

@@ -23,8 +23,6 @@ from deltacal_gen.app.commands.common import (
 if TYPE_CHECKING:
     from deltacal_gen.app.commands.common import AnyRecording, AnyRobot
     from deltacal_gen.estimation.solvers import Solver
-    from deltacal_gen.machine.values import Robot
-    from deltacal_gen.motion.kinds import Torque
     from deltacal_gen.results.diagnosis import Diagnosis
     from deltacal_gen.results.motion import MotionDiagnosis, MotionResult
     from deltacal_gen.results.reader import Given
@@ -302,49 +300,28 @@ def matrix(
     from deltacal_gen.files.writing import write_files
     from deltacal_gen.identification.identifiability import identification_matrix
     from deltacal_gen.machine.registry import mechanism_of
+    from deltacal_gen.motion.identification import rigid_model
 
     check_output(output, robot, recording, ending=(".npz",))
     model = str(model)
+    found: Any  # of either sort, whose arrays are called alike
     if (moving := in_motion(recording)) is not None:
         refuse_in_motion(as_distance=as_distance, scaling=scaling != "file")
-        arrays = _regressor(as_robot(robot), moving, model)
+        robot = as_robot(robot)
+        rigid_model(robot, model)
+        found = moving.matrix(robot)
+        base = np.array(found.base).reshape(-1, 2)
+        arrays = {"joint": found.joint, "line": found.line, "base": base[:, 0], "combinations": base[:, 1]}
+        arrays |= {"scaling": np.array("file"), "unidentifiable": np.array(found.unseen)}
     else:
         robot = for_model(as_robot(robot), model)
         names = mechanism_of(robot).model(model)
         problem = pose_problem(robot, as_recording(recording, robot), names, as_distance=as_distance)
         found = identification_matrix(problem, scaling)
-        arrays = {
-            "H": found.H,
-            "r": found.r,
-            "names": np.array(found.names),
-            "units": np.array(found.units),
-            "scaling": np.array(found.convention),
-        }
+        arrays = {"scaling": np.array(found.convention)}
+    arrays |= {"H": found.H, "r": found.r, "names": np.array(found.names), "units": np.array(found.units)}
     if output is not None:
         stream = io.BytesIO()
         np.savez_compressed(stream, allow_pickle=False, **arrays)
         write_files({Path(output): stream.getvalue()})
     return arrays
-
-
-def _regressor(robot: Robot, moving: Torque, model: str) -> dict[str, Any]:
-    """Return the arrays of a recording in motion."""
-    import numpy as np
-
-    from deltacal_gen.motion.identification import rigid_model
-
-    rigid_model(robot, model)
-    found = moving.matrix(robot)
-    base = np.array(found.base).reshape(-1, 2)
-    return {
-        "H": found.H,
-        "r": found.r,
-        "names": np.array(found.names),
-        "units": np.array(found.units),
-        "scaling": np.array("file"),
-        "joint": found.joint,
-        "line": found.line,
-        "base": base[:, 0],
-        "combinations": base[:, 1],
-        "unidentifiable": np.array(found.unseen),
-    }

@@ -20,13 +20,12 @@ from typing import Any
 import numpy as np
 
 from deltacal_gen.errors import InputError, PrinterFile
-from deltacal_gen.files.imported import Imported
+from deltacal_gen.files import printers
+from deltacal_gen.files.imported import Imported, write_import
 from deltacal_gen.files.naming import naming
-from deltacal_gen.files.printers import ANGLES, TOWERS, done, doubt_arms, height_recording, map_recording, printer_robot
 from deltacal_gen.files.robot import Robot
-from deltacal_gen.files.rows import number_of
 from deltacal_gen.files.toml import read_text
-from deltacal_gen.machine.registry import SOLVED, Array, load_mechanism
+from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.values import Recording
 
 PITCH = 2.0  # mm of belt per tooth
@@ -45,6 +44,7 @@ _OTHERS = {  # machines of Klipper that are near relations, and what could be do
 SAVED = "#*#"  # begins a line of the saved block
 HEADER = re.compile(r"#\*# <-+ SAVE_CONFIG -+>")
 INCLUDE = re.compile(r"\[include\s+(.+?)\s*\]")
+FIRST = printers.TOWERS[0]  # whose numbers hold for the other towers, too
 FULL_STEPS = 200.0  # of a motor's turn
 ROUNDED = 1e-3  # of the bed's radius: a map's limits are written with a digit or two
 LONGEST_NAME = 100  # letters of a mesh's name, which becomes a file's
@@ -72,34 +72,38 @@ def import_klipper(path: str | Path, output: str | Path | None = None) -> Import
         geometry: dict[str, Any] = {
             "radius": file.number("printer", "delta_radius"),
             "arm_length": file.towers("arm_length"),
-            "tower_angle": file.towers("angle", ANGLES),
+            "tower_angle": file.towers("angle", printers.ANGLES),
             "endstop": file.towers("position_endstop"),
         }
-        belt = file.optional("stepper_a", "rotation_distance")
-        robot = printer_robot(path.stem, geometry, belt)
-        warnings = (*file.doubts(), *doubt_arms(geometry["arm_length"]))
+        belt = file.optional(FIRST, "rotation_distance")
+        robot = printers.printer_robot(path.stem, geometry, belt)
+        warnings = (*file.doubts(), *printers.doubt_arms(geometry["arm_length"]))
         recordings: dict[str, Recording] = {}
         probed, ends, lengths = Probed(robot, *file.heights()), *file.distances()
         if len(probed.z) or len(lengths):
-            step = [file.step(tower) for tower in TOWERS]
-            if None in step:
-                usual, belt = probed.usual_step()
-                step = [usual] * len(TOWERS)
-                robot = printer_robot(path.stem, geometry, belt)
+            step = np.array([file.step(tower) for tower in printers.TOWERS], dtype=float)
+            if np.isfinite(step).all():
+                probed.check_step(step)
+            else:
+                step[:], belt = probed.usual_step()
+                robot = printers.printer_robot(path.stem, geometry, belt)
                 warnings += (
-                    f"the file does not say how long a motor step is; {usual:g} mm puts the probed points at their "
+                    f"the file does not say how long a motor step is; {step[0]:g} mm puts the probed points at their "
                     f"heights, as of a pulley of {belt:g} mm a turn, which is taken. Correct pulley_circumference in "
                     "robot.toml if it is another.",
                 )
-            else:
-                probed.check_step(np.array(step, dtype=float))
-            recordings["recording"] = recording = _session(path, probed, ends, lengths, np.array(step, dtype=float))
-            warnings += _check_heights(robot, recording) + _check_distances(robot, recording)
+            warnings += probed.doubts(step) + _doubts_of_distances(robot, ends * step, lengths)
+            recordings["recording"] = _session(path, probed, ends, lengths, step)
         for name, points, z in file.meshes():
-            offset = np.array([file.optional(file.probe, f"{axis}_offset") or 0.0 for axis in "xy"])
-            trigger = file.optional(file.probe, "z_offset") or 0.0
-            recordings[f"mesh_{name}"] = map_recording(robot, points - offset, z, trigger, path)
-        return done(robot, recordings, warnings, output)
+            offset = np.array([file.number(file.probe, f"{axis}_offset", 0.0) for axis in "xy"])
+            trigger = file.number(file.probe, "z_offset", 0.0)
+            recordings[f"mesh_{name}"] = printers.map_recording(robot, points - offset, z, trigger, path)
+        if not recordings:
+            raise PrinterFile(
+                "there are neither heights, distances nor a bed mesh in the file.",
+                "Run DELTA_CALIBRATE or BED_MESH_CALIBRATE and SAVE_CONFIG, and give the file again.",
+            )
+    return write_import(Imported(robot, recordings, warnings), output)
 
 
 def _session(path: Path, probed: Probed, ends: Array, lengths: Array, step: Array) -> Recording:
@@ -113,7 +117,7 @@ def _session(path: Path, probed: Probed, ends: Array, lengths: Array, step: Arra
             "pair_line": np.arange(2, len(lengths) + 2),
         }
     instrument = f"bed probe{' (heights); caliper on a printed object (distances)' if pairs else ''}"
-    return height_recording(path, np.vstack([probed.positions, ends]) * step, measured, instrument, **pairs)
+    return printers.height_recording(path, np.vstack([probed.positions, ends]) * step, measured, instrument, **pairs)
 
 
 @dataclass(frozen=True)
@@ -133,24 +137,21 @@ class Probed:
     positions: Array
     z: Array
 
-    def off(self, step: float | Array) -> Array | None:
-        """Return by how much points lie off their heights (n,) [mm]; None where the machine cannot stand so."""
-        mechanism = load_mechanism(self.robot.mechanism)
-        x, status = mechanism.forward(self.positions * step, self.robot.tool, mechanism.rows(self.robot))
-        return x[:, 2] - self.z if (status == SOLVED).all() else None
+    def off(self, step: float | Array) -> Array:
+        """Return by how much points lie off their heights (n,) [mm]; nan where the machine cannot stand so."""
+        x, solved = printers.nozzle_at(self.robot, self.positions * step)
+        return np.where(solved.all(), x[:, 2] - self.z, np.nan)
 
     def bent(self, step: float | Array) -> float:
         """Return by how much the heights of points differ from one another with steps of a length [mm].
 
         By their shape alone: endstops are edited after the probing. Infinite where the machine cannot stand so.
         """
-        off = self.off(step)
-        return np.inf if off is None else float(np.ptp(off))
+        return float(np.nan_to_num(np.ptp(self.off(step)), nan=np.inf))
 
     def placed(self, step: float | Array) -> bool:
         """Tell whether steps put the bed where a calibration may have to correct it."""
-        off = self.off(step)
-        return off is not None and abs(float(np.median(off))) <= WRONG_STEP
+        return abs(float(np.median(self.off(step)))) <= WRONG_STEP
 
     def usual_steps(self) -> list[tuple[float, float, float]]:
         """Return how bent the bed comes out with a usual pulley, its step and its turn [mm], best first."""
@@ -204,40 +205,41 @@ class Probed:
                 "Correct rotation_distance or microsteps.",
             )
 
-
-def _check_heights(robot: Robot, recording: Recording) -> tuple[str, ...]:
-    """Return warnings about heights that cannot be of this geometry; raise where a probed point is out of reach."""
-    rows = np.flatnonzero(np.isfinite(recording.measured[:, 0]))
-    if not len(rows):
-        return ()
-    mechanism = load_mechanism(robot.mechanism)
-    x, status = mechanism.forward(recording.joints[rows], robot.tool, mechanism.rows(robot))
-    if (status != SOLVED).any():
-        raise PrinterFile(
-            f"at height{int(np.argmax(status != SOLVED))}_pos the carriages stand where the rods do not reach.",
-            "Check rotation_distance, microsteps and arm_length: one of them does not belong to these positions.",
-        )
-    off = x[:, 2] - recording.measured[rows, 0]
-    if np.ptp(off) < EDITED and abs(np.median(off)) > max(FELT, min(EDITED, CLEARLY * np.ptp(off))):
+    def doubts(self, step: Array) -> tuple[str, ...]:
+        """Return warnings about heights that cannot be of this geometry; raise where a point is out of reach."""
+        if not len(self.z):
+            return ()
+        _, solved = printers.nozzle_at(self.robot, self.positions * step)
+        if not solved.all():
+            raise PrinterFile(
+                f"at height{int(np.argmin(solved))}_pos the carriages stand where the rods do not reach.",
+                "Check rotation_distance, microsteps and arm_length: one of them does not belong to these positions.",
+            )
+        off = self.off(step)
+        if np.ptp(off) >= EDITED or abs(np.median(off)) <= max(FELT, min(EDITED, CLEARLY * np.ptp(off))):
+            return ()
         return (
             f"all heights are off by {np.median(off):.3f} mm alike: the saved endstops were changed after the probing. "
             "The shape is not wrong by it. A calibration by these heights undoes that change: where it was made for "
             "the first layer, probe again before.",
         )
-    return ()
 
 
-def _check_distances(robot: Robot, recording: Recording) -> tuple[str, ...]:
-    """Return warnings about printed distances that do not fit the printer; raise where no printer could have them."""
-    if recording.pairs is None or recording.pair_measured is None:
+def _doubts_of_distances(robot: Robot, ends: Array, measured: Array) -> tuple[str, ...]:
+    """Return warnings about printed distances (m,) that do not fit; raise where no printer could have them.
+
+    Parameters
+    ----------
+    ends : (2 m, 3) array
+        Joints at the one and at the other end of each [mm].
+    """
+    if not len(measured):
         return ()
-    mechanism = load_mechanism(robot.mechanism)
-    x, _ = mechanism.forward(recording.joints, robot.tool, mechanism.rows(robot))
-    first, second = x[recording.pairs.T, :3]
-    known, measured = np.linalg.norm(second - first, axis=1), recording.pair_measured
-    ends = [frozenset(map(tuple, recording.joints[pair].round(6).tolist())) for pair in recording.pairs]
-    for j, own in enumerate(ends):
-        if (i := ends.index(own)) < j:
+    x, _ = printers.nozzle_at(robot, ends)
+    known = np.linalg.norm(x[1::2] - x[::2], axis=1)
+    between = [frozenset(map(tuple, pair)) for pair in ends.round(6).reshape(-1, 2, 3).tolist()]
+    for j, own in enumerate(between):
+        if (i := between.index(own)) < j:
             raise PrinterFile(
                 f"distance{i} and distance{j} lie between the same two points: one line was entered twice, and "
                 "another is missing.",
@@ -353,46 +355,35 @@ class KlipperFile:
     def optional(self, section: str, key: str) -> float | None:
         """Return a number; None where the file does not say."""
         text = self.sections.get(section, {}).get(key)
-        if text is None:
-            return None
-        value = number_of(text)
-        if value is None or not np.isfinite(value):
-            raise PrinterFile(f"{key} in [{section}] is '{text}': a number was expected.", "Correct it.")
-        return value
+        return None if text is None else printers.number(text, f"{key} in [{section}]")
 
-    def number(self, section: str, key: str) -> float:
-        """Return a number; raise where the file does not say."""
-        value = self.optional(section, key)
+    def number(self, section: str, key: str, default: float | None = None) -> float:
+        """Return a number, the default where the file does not say it; raise where there is none."""
+        found = self.optional(section, key)
+        value = default if found is None else found
         if value is None:
             raise PrinterFile(f"{key} in [{section}] is missing.", self.whole)
         return value
 
     def towers(self, key: str, default: Sequence[float] = ()) -> list[float]:
         """Return a value per tower; one that is not given is the default, or that of tower a, as in Klipper."""
-        found = [self.optional(tower, key) for tower in TOWERS]
-        instead = default or (self.number("stepper_a", key),) * len(TOWERS)
-        return [d if v is None else v for v, d in zip(found, instead, strict=True)]
+        instead = default or (self.number(FIRST, key),) * len(printers.TOWERS)
+        return [self.number(tower, key, other) for tower, other in zip(printers.TOWERS, instead, strict=True)]
 
-    def step(self, tower: str) -> float | None:
-        """Return mm of belt per step of a tower's motor; None where the file does not say."""
+    def step(self, tower: str) -> float:
+        """Return mm of belt per step of a tower's motor; nan where the file does not say."""
         if (old := self.optional(tower, "step_distance")) is not None:
             return old
-        given = {k: self.optional(tower, k) for k in ("rotation_distance", "microsteps", "full_steps_per_rotation")}
-        given = {k: v if v is not None else self.optional("stepper_a", k) for k, v in given.items()}
-        belt, micro = given["rotation_distance"], given["microsteps"]
-        if belt is None or micro is None:
-            return None
-        gears = self.sections.get(tower, {}).get("gear_ratio", "")
-        driven, driving = np.array(
-            [(1.0, 1.0), *re.findall(r"(\d+\.?\d*)\s*:\s*(\d+\.?\d*)", gears)], dtype=float
-        ).prod(0)
-        full = given["full_steps_per_rotation"]
-        if not min(belt, micro, driven, driving, FULL_STEPS if full is None else full) > 0:
+        usual = {"rotation_distance": np.nan, "microsteps": np.nan, "full_steps_per_rotation": FULL_STEPS}
+        belt, micro, full = (self.number(tower, key, self.number(FIRST, key, u)) for key, u in usual.items())
+        gears = re.findall(r"(\d+\.?\d*)\s*:\s*(\d+\.?\d*)", self.sections.get(tower, {}).get("gear_ratio", ""))
+        driven, driving = np.array([(1.0, 1.0), *gears], dtype=float).prod(axis=0)
+        if any(value <= 0 for value in (belt, micro, full, driven, driving)):
             raise PrinterFile(
                 f"rotation_distance, microsteps, full_steps_per_rotation or gear_ratio in [{tower}] is 0 or less.",
                 "Correct it.",
             )
-        return float(belt * driving / ((full or FULL_STEPS) * micro * driven))
+        return float(belt * driving / (full * micro * driven))
 
     def _measured(self, pattern: str, *ends: str) -> tuple[Array, Array]:
         """Return stable positions (n, 3) [motor steps], those of all ends, and what was measured (k,) [mm]."""
@@ -403,14 +394,12 @@ class KlipperFile:
         return np.array(positions).reshape(-1, 3), np.array(measured)
 
     def _position(self, key: str) -> list[float]:
-        text = self.sections["delta_calibrate"].get(key, "")
-        found = [number_of(cell) for cell in text.split(",")]
-        if len(found) != 3 or not np.isfinite(np.array(found, dtype=float)).all():
-            raise PrinterFile(
-                f"{key} in [delta_calibrate] is '{text}': three positions, separated by commas, were expected.",
-                "Run DELTA_CALIBRATE and SAVE_CONFIG again.",
-            )
-        return [v for v in found if v is not None]
+        cells = self.sections["delta_calibrate"].get(key, "").split(",")
+        remedy = "Run DELTA_CALIBRATE and SAVE_CONFIG again."
+        if len(cells) != 3:
+            problem = f"{key} in [delta_calibrate] is '{','.join(cells)}': three positions were expected."
+            raise PrinterFile(problem, remedy)
+        return [printers.number(cell, f"a position of {key} in [delta_calibrate]", remedy) for cell in cells]
 
     def heights(self) -> tuple[Array, Array]:
         """Return where the carriages stood (n, 3) [motor steps] at probed and at manual heights, and these (n,)."""
@@ -424,15 +413,14 @@ class KlipperFile:
     def _mesh(self, section: str) -> Array:
         """Return the heights (rows, columns) of a bed mesh [mm]."""
         lines = self.sections[section]["points"].strip().split("\n")
-        cells = [[c.strip() for c in line.split(",") if c.strip()] for line in lines]
-        bad = next((c for row in cells for c in row if (v := number_of(c)) is None or not np.isfinite(v)), None)
-        if bad is not None:
-            problem = f"a point of [{section}] is '{bad}': a number was expected."
-        elif len({len(row) for row in cells}) > 1 or not cells[0]:
-            problem = f"the rows of points in [{section}] are not equally long."
-        else:
-            return np.array(cells, dtype=float)
-        raise PrinterFile(problem, "Run BED_MESH_CALIBRATE and SAVE_CONFIG again.")
+        remedy = "Run BED_MESH_CALIBRATE and SAVE_CONFIG again."
+        cells = [
+            [printers.number(c, f"a point of [{section}]", remedy) for c in line.split(",") if c.strip()]
+            for line in lines
+        ]
+        if len({len(row) for row in cells}) > 1 or not cells[0]:
+            raise PrinterFile(f"the rows of points in [{section}] are not equally long.", remedy)
+        return np.array(cells)
 
     def meshes(self) -> list[tuple[str, Array, Array]]:
         """Return name, points (n, 2) and heights (n,) of every bed mesh [mm]."""

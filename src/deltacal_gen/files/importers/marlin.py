@@ -14,9 +14,9 @@ from pathlib import Path
 import numpy as np
 
 from deltacal_gen.errors import PrinterFile
-from deltacal_gen.files.imported import Imported
+from deltacal_gen.files.imported import Imported, write_import
 from deltacal_gen.files.naming import naming
-from deltacal_gen.files.printers import done, doubt_arms, from_codes
+from deltacal_gen.files.printers import check_delta, doubt_arms, from_codes
 from deltacal_gen.files.toml import read_text
 from deltacal_gen.machine.registry import Array
 
@@ -53,13 +53,11 @@ def import_marlin(path: str | Path, output: str | Path | None = None) -> Importe
     said = _settings(lines)
     delta, trims, probe = said["M665"], said["M666"], said["M851"]
     with naming(path):
-        for letter, what in (("L", "diagonal rod"), ("R", "delta radius"), ("H", "height")):
-            if letter not in delta:
-                raise PrinterFile(
-                    f"the log does not say the {what} (M665 {letter}).",
-                    f"Send M503 and give all that it answers; where it does not say it, add a line, M665 {letter} and "
-                    "the number that the firmware was built with.",
-                )
+        check_delta(
+            delta,
+            "Send M503 and give all that it answers; where it does not say it, add a line, M665 {letter} and the "
+            "number that the firmware was built with.",
+        )
         trimmed = {"A", "C"} <= delta.keys()  # B alone: a radius to probe
         arms = [delta["L"] + (delta.get(axis, 0.0) if trimmed else 0.0) for axis in "ABC"]
         endstops = [delta["H"] - trims.get(axis, 0.0) for axis in "XYZ"]  # carriages go down from the switch by it
@@ -67,7 +65,7 @@ def import_marlin(path: str | Path, output: str | Path | None = None) -> Importe
     warnings = doubt_arms(arms)
     if not probe:
         warnings += ("the log says nothing of the probe (M851): its offset is taken as 0.",)
-    return done(robot, {"recording": recording}, warnings, output)
+    return write_import(Imported(robot, {"recording": recording}, warnings), output)
 
 
 def _settings(lines: list[str]) -> dict[str, dict[str, float]]:

@@ -8,10 +8,9 @@ from pathlib import Path
 import numpy as np
 
 from deltacal_gen.errors import PrinterFile
-from deltacal_gen.files.imported import Imported
+from deltacal_gen.files.imported import Imported, write_import
 from deltacal_gen.files.naming import naming
-from deltacal_gen.files.printers import done, doubt_arms, from_codes
-from deltacal_gen.files.rows import number_of
+from deltacal_gen.files.printers import check_delta, doubt_arms, from_codes, number
 from deltacal_gen.files.toml import read_text
 from deltacal_gen.machine.registry import Array
 
@@ -44,9 +43,7 @@ def import_rrf(config: str | Path, height_map: str | Path, output: str | Path | 
                 "there is no M665, which describes a delta.", "Give the config.g that holds M665 and M666."
             )
         delta, trims, probe = said["M665"], said.get("M666", {}), said.get("G31", {})
-        for letter, what in (("R", "delta radius"), ("L", "rod length"), ("H", "homed height")):
-            if letter not in delta:
-                raise PrinterFile(f"M665 has no {letter} ({what}).", f"Add {letter} to M665.")
+        check_delta(delta, "Add {letter} to M665.")
     rods = codes["M665"]["L"]
     arms = rods * 3 if len(rods) == 1 else rods[:3]
     trim = np.array([trims.get(axis, 0.0) for axis in "XYZ"])
@@ -64,7 +61,7 @@ def import_rrf(config: str | Path, height_map: str | Path, output: str | Path | 
             f"{config.name} says nothing of the probe (G31): its trigger height is taken as 0, which is right for a "
             "nozzle that touches the bed.",
         )
-    return done(robot, {"recording": recording}, warnings, output)
+    return write_import(Imported(robot, {"recording": recording}, warnings), output)
 
 
 def _gcode(path: Path) -> dict[str, dict[str, list[float]]]:
@@ -97,20 +94,15 @@ def _height_map(path: Path) -> tuple[Array, Array]:
     with naming(path):
         if len(lines) < 3 or "height map" not in lines[0]:
             raise PrinterFile("this is no height map of RepRapFirmware.", "Give heightmap.csv.")
-        names, values = ([word.strip() for word in line.split(",")] for line in lines[1:3])
-        said = {name: number_of(value) for name, value in zip(names, values, strict=False)}
+        said = dict(zip(*([word.strip() for word in line.split(",")] for line in lines[1:3]), strict=False))
         keys = ("min0", "spacing0", "min1", "spacing1") if "min0" in said else ("xmin", "xspacing", "ymin", "yspacing")
-        grid = [value for key in keys if (value := said.get(key)) is not None]
-        if len(grid) < len(keys):
-            problem = "the second and third line do not say where the map's points lie."
-            raise PrinterFile(problem, "Give the file as it is.", line=2)
+        x, dx, y, dy = (
+            number(said.get(key, ""), f"{key} of the map", "Give the file as it is.", line=3) for key in keys
+        )
         points, z = list[tuple[float, float]](), list[float]()
         for j, line in enumerate(lines[3:]):
             for i, cell in enumerate(map(str.strip, line.split(","))):
-                if cell in ("", "0"):
-                    continue
-                if (height := number_of(cell)) is None:
-                    raise PrinterFile(f"the cell holds '{cell}', a number was expected.", "Correct it.", line=j + 4)
-                points.append((grid[0] + i * grid[1], grid[2] + j * grid[3]))
-                z.append(height)
+                if cell not in ("", "0"):
+                    points.append((x + i * dx, y + j * dy))
+                    z.append(number(cell, "the cell", line=j + 4))
     return np.array(points).reshape(-1, 2), np.array(z)
