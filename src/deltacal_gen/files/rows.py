@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 import csv
 import dataclasses
 import itertools
@@ -22,23 +21,9 @@ from deltacal_gen.errors import (
     MissingColumn,
     MissingLibrary,
 )
+from deltacal_gen.files import dialect
 from deltacal_gen.files.columns import RESERVED, is_channel
-from deltacal_gen.files.dialect import (
-    LABELS,
-    LOOKED_AT,
-    RECORDED,
-    Layout,
-    Scales,
-    Vocabulary,
-    in_seconds,
-    is_number,
-    layout_of,
-    named,
-    parted,
-    plain_number,
-    text_of,
-    with_header,
-)
+from deltacal_gen.files.dialect import LOOKED_AT, RECORDED, Layout, Scales, Vocabulary
 from deltacal_gen.files.naming import listed, naming
 from deltacal_gen.files.toml import nearest
 
@@ -129,13 +114,12 @@ class Rows:
         bad = gaps.any(axis=1) & ~(gaps.all(axis=1) & blank)
         if bad.any():
             row = int(np.argmax(bad))
-            name = names[int(np.argmax(gaps[row]))]
+            problem, remedy = "the cell is blank.", "Fill it in, or remove the row."
             if blank:
-                rest = f"the cell is blank, but other cells of {', '.join(names)} are not."
-                raise self.error(rest, "Fill it in, or blank them all.", row=row, column=name, family=BlankCell)
-            raise self.error(
-                "the cell is blank.", "Fill it in, or remove the row.", row=row, column=name, family=BlankCell
-            )
+                problem = f"the cell is blank, but other cells of {', '.join(names)} are not."
+                remedy = "Fill it in, or blank them all."
+            name = names[int(np.argmax(gaps[row]))]
+            raise self.error(problem, remedy, row=row, column=name, family=BlankCell)
         return values
 
     def each(self, *names: str) -> np.ndarray:
@@ -152,29 +136,25 @@ class Rows:
         }
 
     def _column(self, name: str) -> np.ndarray:
-        values = np.full(len(self.line), np.nan)
         cells, (factor, above) = self.columns[name], self.scales.get(name, (1.0, 0.0))
-        with contextlib.suppress(ValueError):  # the usual column at once; others cell by cell, to name the wrong one
-            values = np.array([float(cell) if cell else np.nan for cell in cells]) * factor + above
-            if (np.abs(values) <= LARGEST).sum() == sum(map(bool, cells)) and not any("_" in cell for cell in cells):
-                return values
-        for row, cell in enumerate(cells):
-            if not cell:
-                continue
-            value = number_of(cell)
-            if value is None or not abs(value) <= LARGEST:
-                remedy, expected = "Correct the cell or remove the row.", "a number"
-                if value is not None and np.isfinite(value):
-                    expected = f"a number below {LARGEST:g}"
-                elif value is not None:
-                    expected = "a finite number"
-                    remedy = "Leave the cell blank where nothing was measured; joints must be complete."
-                elif is_number(cell):
-                    remedy = "Write a decimal point, or say --decimal , where all cells have a comma."
-                shown = cell if len(cell) <= 40 else f"{cell[:36]} ..."
-                raise self.error(f"the cell holds '{shown}', {expected} was expected.", remedy, row=row, column=name)
-            values[row] = value
+        values = np.array([number_of(cell) if cell else None for cell in cells], dtype=float)
+        wrong = ~(np.abs(values) <= LARGEST) & np.array([cell != "" for cell in cells])
+        if wrong.any():
+            raise self._no_number(int(np.argmax(wrong)), name)
         return values * factor + above
+
+    def _no_number(self, row: int, name: str) -> InputError:
+        cell = self.columns[name][row]
+        value, remedy, expected = number_of(cell), "Correct the cell or remove the row.", "a number"
+        if value is not None and np.isfinite(value):
+            expected = f"a number below {LARGEST:g}"
+        elif value is not None:
+            expected = "a finite number"
+            remedy = "Leave the cell blank where nothing was measured; joints must be complete."
+        elif dialect.is_number(cell):
+            remedy = "Write a decimal point, or say --decimal , where all cells have a comma."
+        shown = cell if len(cell) <= 40 else f"{cell[:36]} ..."
+        return self.error(f"the cell holds '{shown}', {expected} was expected.", remedy, row=row, column=name)
 
 
 def number_of(cell: str) -> float | None:
@@ -204,19 +184,19 @@ def read_table(path: Path, vocabulary: Vocabulary = RECORDED) -> Rows:
 
 def read_csv(path: Path, first: int | None = None, vocabulary: Vocabulary = RECORDED) -> Rows:
     """Read a table of text, or its first rows, as many as `first`; raises InputError."""
-    numbered = list(enumerate(text_of(path).split("\n"), start=1))
+    numbered = list(enumerate(dialect.text_of(path).split("\n"), start=1))
     lines = [(n, line) for n, line in numbered if line.strip() and not line.startswith(vocabulary.remarks)]
     remarks = [(n, line) for n, line in numbered[:LOOKED_AT] if line.startswith(vocabulary.remarks)]
     with naming(path):
         if not lines:
             raise FileFormat("the file is empty.", "Give a header and one row per reading.")
-        lines = with_header(lines, remarks, vocabulary)
+        lines = dialect.with_header(lines, remarks, vocabulary)
         table: list[list[str]] = []
         numbers = [0]  # of the lines in which rows end
         try:
-            layout = layout_of(lines if first is None else lines[:LOOKED_AT], vocabulary)
+            layout = dialect.layout_of(lines if first is None else lines[:LOOKED_AT], vocabulary)
             lines, before = lines[layout.header :], "\n".join(text for _, text in lines[: layout.header])
-            texts = (text for _, text in parted(lines, layout.separator))
+            texts = (text for _, text in dialect.parted(lines, layout.separator))
             reader = csv.reader(texts, delimiter=layout.separator or "\t", strict=True)
             for cells in itertools.islice(reader, None if first is None else 1 + layout.units + first):
                 table.append([cell.strip() for cell in cells])
@@ -239,7 +219,7 @@ def _of_cells(
     """Return cells (header, units where there are, rows) with their lines as columns in the units of files."""
     table, header_line = _without_blank_ends(table), numbers[0]
     if layout.bare and vocabulary.bare is not None:
-        table = [vocabulary.bare([[plain_number(cell, layout) for cell in row] for row in table]), *table]
+        table = [vocabulary.bare([[dialect.plain_number(cell, layout) for cell in row] for row in table]), *table]
         numbers = [header_line, *numbers]
     header, units = table[0], table[1] if layout.units else [""] * len(table[0])
     table, numbers = table[1 + layout.units :], numbers[1 + layout.units :]
@@ -255,11 +235,9 @@ def _of_cells(
         raise FileFormat("there is a header but no row.", "Add one row per reading.", line=header_line)
     columns = {name: [cells[k] for cells in table] for k, name in enumerate(header)}
     if layout.separator != "," or layout.decimal != ".":
-        columns = {
-            name: cells if name in LABELS else [plain_number(cell, layout) for cell in cells]
-            for name, cells in columns.items()
-        }
-    return Rows(path, in_seconds(columns), np.array(numbers), header_line, scales, sheet)
+        for name in columns.keys() - dialect.LABELS:
+            columns[name] = [dialect.plain_number(cell, layout) for cell in columns[name]]
+    return Rows(path, dialect.in_seconds(columns), np.array(numbers), header_line, scales, sheet)
 
 
 def typed_rows(path: Path, header: Sequence[str], cells: Sequence[list[str]], count: int) -> Rows:
@@ -274,8 +252,8 @@ def typed_rows(path: Path, header: Sequence[str], cells: Sequence[list[str]], co
         if not count:
             raise FileFormat("there is no row.", "Add one row per reading.")
         _check_header(header, None)
-    names, scales = named(header, [""] * len(header))
-    return Rows(path, in_seconds(dict(zip(names, cells, strict=True))), np.arange(1, count + 1), None, scales)
+    names, scales = dialect.named(header, [""] * len(header))
+    return Rows(path, dialect.in_seconds(dict(zip(names, cells, strict=True))), np.arange(1, count + 1), None, scales)
 
 
 def _without_blank_ends(table: list[list[str]]) -> list[list[str]]:
@@ -307,7 +285,7 @@ def _read_workbook(path: Path, vocabulary: Vocabulary) -> Rows:
         raise FileFormat("no sheet holds a table.", "Give a header and one row per reading.")
     title = next((own for own, (_, lines) in tables.items() if vocabulary.beginning(lines)), next(iter(tables)))
     kept, lines = tables[title]
-    layout = dataclasses.replace(layout_of(lines, vocabulary), separator="\t")
+    layout = dataclasses.replace(dialect.layout_of(lines, vocabulary), separator="\t")
     width = len(kept[layout.header][1])
     rows = [row + [""] * (width - len(row)) for _, row in kept[layout.header :]]
     numbers = [n for n, _ in kept[layout.header :]]
