@@ -23,7 +23,6 @@ from .app.commands.use import (
     compensate as compensate,
     export_compensator as export_compensator,
     feed_forward as feed_forward,
-    firmware_lines as firmware_lines,
     predict as predict,
 )
 from .errors import (

@@ -277,7 +277,7 @@ def test_recordings_in_motion_are_done_joint_by_joint(moving: Path, tmp_path: Pa
         assert row.effects
         assert row.before_by_joint
         assert row.verdict == "missing_physics"
-        assert "coulomb_friction 1 2" in row.effects
+        assert "coulomb_friction, joints 1 and 2" in row.effects
         assert row.unit_by_joint == ("Nm", "Nm", "Nm")
         assert row.after_by_joint == pytest.approx([0.05] * 3, rel=0.1)
         assert row.before_by_joint[0] > 1.0

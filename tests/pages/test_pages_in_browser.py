@@ -13,7 +13,7 @@ import pytest
 import deltacal_gen as dc
 from deltacal_gen.pages import report
 from deltacal_gen.pages.certificate import certificate
-from derive.review import reports
+from derive.review import rendering, reports
 from derive.review.subjects import subject
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -74,7 +74,7 @@ def pages(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
     for one, template, content in made:
         ((_, texts[template]),) = reports.files(folder / f"{one.stem}.html", template, content).items()
     index = reports.index([(one, content) for one, _, content in made], ".html")
-    texts["contents"] = report.page_of("contents", reports.PAGES, title="Derivations", **index)
+    texts["contents"] = rendering.page("contents", title="Derivations", **index)
     for name, text in texts.items():
         (folder / f"{name}.html").write_text(text, encoding="utf-8")
     return {name: folder / f"{name}.html" for name in texts}

@@ -335,10 +335,10 @@ def test_a_machine_beyond_firmware_gets_the_firmware_s_own_fit(
     truth = plausible(rng, LINEAR.model("linear_delta/21"))
     heights = simulate(printer, recording(printer, grid(100, 20)), truth, noise_mm=0.01, rng=rng)
     found = dc.identify(printer, heights, model=model, output=tmp_path / "result.json")
-    lines = dc.firmware_lines(found, "rrf")
+    lines = dc.export_compensator(found, export="rrf", output=tmp_path / "config.g")
     assert lines.by_readings
     config = tmp_path / "config.g"
-    config.write_text(lines.text)
+    assert config.read_text() == lines.text
     (tmp_path / "map.csv").write_text("height map\nxmin,xspacing,ymin,yspacing\n0,1,0,1\n0.0\n")
     got = import_rrf(config, tmp_path / "map.csv").robot
     assert got is not None
@@ -376,8 +376,9 @@ def test_lines_by_heights_alone_ask_for_the_bed_alone(printer: Robot, run: Run, 
         geometry = {**printer.geometry, "radius": np.array([radius]), **numbers}
         return bed.left(dataclasses.replace(printer, geometry=geometry)).bed_rms_mm
 
-    by_diagnosis = dc.firmware_lines(dc.diagnose(printer, heights, output=tmp_path / "d.json"), "klipper")
-    by_fit = dc.firmware_lines(dc.identify(printer, heights), "klipper")
+    of_klipper = {"export": "klipper", "output": tmp_path / "printer.cfg"}
+    by_diagnosis = dc.export_compensator(dc.diagnose(printer, heights, output=tmp_path / "d.json"), **of_klipper)
+    by_fit = dc.export_compensator(dc.identify(printer, heights), **of_klipper)
     assert by_diagnosis.heights_alone
     assert not by_diagnosis.by_readings
     assert left(by_diagnosis) < 1.2 * left(by_fit)
@@ -394,7 +395,7 @@ def test_lines_that_are_worse_than_those_in_the_file_are_refused(
     found = dc.identify(printer, heights, model="6")
     worse = found.replace(heldout_rms_mm=2 * found.before_rms_mm)
     with pytest.raises(NoSolutionError, match="your current values are already as good"):
-        dc.firmware_lines(worse, "klipper", output=tmp_path / "lines.cfg")
+        dc.export_compensator(worse, export="klipper", output=tmp_path / "lines.cfg")
     assert not (tmp_path / "lines.cfg").exists()
 
 

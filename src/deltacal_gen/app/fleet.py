@@ -8,16 +8,17 @@ files is not done again, wherever the run directory has been copied to.
 
 from __future__ import annotations
 
-import functools
+import dataclasses
 import hashlib
 import json
 import os
 import re
 import tempfile
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from functools import partial
+from operator import attrgetter
 from pathlib import Path
 from typing import Any, cast, get_args
 
@@ -27,22 +28,16 @@ from deltacal_gen.app.moved import moved
 from deltacal_gen.errors import DeltacalError, FileNotReadable, ImportUnclear, InputError, UnknownName
 from deltacal_gen.execution import Outcome, Store, Task, Told, content_key, run
 from deltacal_gen.files import importers
-from deltacal_gen.files.lists import is_table_of_joints
 from deltacal_gen.files.recording import is_recording
-from deltacal_gen.files.robot import robot_of
 from deltacal_gen.files.writing import csv_text, write_files
-from deltacal_gen.machine.places import place_of
 from deltacal_gen.motion import kinds
 from deltacal_gen.pages import report
+from deltacal_gen.pages.answer import page_of
 from deltacal_gen.physics.law import PREFIX, load_law
 from deltacal_gen.results.base import Answer, Json
 from deltacal_gen.results.batch import Action, Batch, Moved, Row, in_table, worst
 from deltacal_gen.results.diagnosis import Diagnosis, Geometry, LawTerm, Verdict
-from deltacal_gen.results.motion import (
-    MotionDiagnosis,
-    MotionResult,
-    MotionValidation,
-)
+from deltacal_gen.results.motion import MotionDiagnosis, MotionResult, MotionValidation
 from deltacal_gen.results.reader import read_answer
 from deltacal_gen.results.result import Result
 from deltacal_gen.results.validation import Validation
@@ -57,13 +52,43 @@ TABLES = (".csv", ".tsv", ".xlsx", ".xlsm", ".parquet")
 OWN = (".toml", ".distances.csv", ".instrument.csv")  # ends of the names of files that belong to a recording
 BESIDE = (".distances", ".instrument")  # ends of the names of tables that belong to a recording
 LAST = "last.json"  # which files each recording was and which task, the last time that all were done
-CONFIGS = ("config-override.g", "config.g")  # of RepRapFirmware: M500 writes the first, which then holds
-LOOKED_AT = 1_000_000  # bytes of a text, to tell what it is
+_JOINTS = {"unit_by_joint": "final.unit_by_joint", "after_by_joint": "final.heldout_rms_by_joint"}
+_JOINTS |= {"noise_by_joint": "noise.sigma_by_joint"}
+_FIELDS: Mapping[type[Answer], Mapping[str, str]] = {  # of a row: where an answer has them
+    Diagnosis: {
+        "verdict": "verdict",
+        "model": "baseline.model",
+        "before_mm": "baseline.heldout_rms_mm",
+        "after_mm": "final.heldout_rms_mm",
+        "noise_mm": "noise.sigma_mm",
+    },
+    Result: {
+        "model": "model",
+        "before_mm": "before_rms_mm",
+        "after_mm": "heldout_rms_mm",
+        "fitted_mm": "train_rms_mm",
+        "noise_mm": "sigma_mm",
+    },
+    Validation: {"after_mm": "rms_mm", "worst_mm": "worst_mm", "chi2_per_dof": "chi2_per_dof"},
+    MotionDiagnosis: {
+        "verdict": "verdict",
+        "model": "baseline.model",
+        "before_by_joint": "baseline.heldout_rms_by_joint",
+        **_JOINTS,
+    },
+    MotionResult: {"model": "model", "fitted_by_joint": "final.train_rms_by_joint", **_JOINTS},
+    MotionValidation: {
+        "unit_by_joint": "unit_by_joint",
+        "after_by_joint": "rms_by_joint",
+        "readings": "readings",
+        "chi2_per_dof": "chi2_per_dof",
+    },
+}
 
 
 @dataclass(frozen=True)
 class Job:
-    """A recording with its robot.
+    """A recording with its robot, or what firmware or a tracker keeps, which is to be imported first.
 
     Attributes
     ----------
@@ -71,31 +96,33 @@ class Job:
         Path of the recording below the folder, and what of the file it is where that holds several.
     machine : str
         Recordings of one machine share it.
-    contents : callable
-        Returns the files by the name that the worker gives them.
+    files : mapping of str to Path
+        By the names that the worker gives them; of what is imported in the order of the import's arguments.
     refused : str or None
         Why it is not done.
     warnings : tuple of str
         Of its import.
+    kind : str or None
+        Of the import that it needs.
     """
 
     label: str
     machine: str
-    contents: Callable[[], Contents]
+    files: Mapping[str, Path]
     refused: str | None = None
     warnings: tuple[str, ...] = ()
+    kind: str | None = None
+
+    def contents(self) -> Contents:
+        """Return what is in the files."""
+        try:
+            return {name: path.read_bytes() for name, path in self.files.items()}
+        except OSError as error:
+            problem = f"cannot be read: {error.strerror}."
+            raise FileNotReadable(problem, "Look at the file.", file=error.filename) from None
 
 
-@dataclass(frozen=True)
-class Session:
-    """What firmware or a tracker keeps of a machine, to be imported: recordings of which only the import knows."""
-
-    label: str
-    kind: str
-    files: Mapping[str, Path]  # by the name that the worker gives them, in the order of the import's arguments
-
-
-def find(folder: str | Path, action: str = "diagnose", machine: str | None = None) -> list[Job | Session]:
+def find(folder: str | Path, action: str = "diagnose", machine: str | None = None) -> list[Job]:
     """Return what a folder holds, in the order of the paths; links are followed.
 
     Parameters
@@ -114,31 +141,21 @@ def find(folder: str | Path, action: str = "diagnose", machine: str | None = Non
     if action not in ACTIONS:
         raise UnknownName(f"there is no action '{action}'; known: {', '.join(ACTIONS)}.")
     _machine_of("", machine)
-    found: list[Job | Session] = []
+    found: list[Job] = []
     for place in _folders(folder):
         tables = [t for t in sorted(place.glob("*.csv")) if not t.name.endswith(OWN)]
         recordings = [t for t in tables if is_recording(t) or kinds.is_recording(t)]
-        robot = place / ROBOT
-        for table in recordings:
-            label = table.relative_to(folder).as_posix()
-            files = {ROBOT: robot, RECORDING: table}
-            for ending in OWN:
-                if table.with_suffix(ending).exists():
-                    files[f"recording{ending}"] = table.with_suffix(ending)
-            refused = None if robot.exists() else f"there is no {ROBOT} beside it."
-            if action == "validate":
-                files[RESULT] = place / RESULT
-                if not files[RESULT].exists():
-                    refused = f"there is no {RESULT} beside it, which identify or diagnose write."
-            found.append(Job(label, _machine_of(label, machine), functools.partial(_contents, files), refused))
-        if not recordings:
-            found += _sessions(folder, place, tables)
-    if not any(isinstance(f, Session) or f.refused is None for f in found):
-        first = next((f for f in found if isinstance(f, Job)), None)
+        result = place / RESULT if action == "validate" else None
+        labels = {table: table.relative_to(folder).as_posix() for table in recordings}
+        found += [_job(label, machine, place / ROBOT, table, result) for table, label in labels.items()]
+        for kind, path, files in () if recordings else importers.recognised(place):
+            label = path.relative_to(folder).as_posix()
+            found.append(Job(label, _machine_of(label, machine), {f.name: f for f in files}, kind=kind))
+    if all(job.refused for job in found):
         raise ImportUnclear(
-            f"there is no recording beside a {ROBOT}, and nothing that can be imported."
-            if first is None
-            else f"nothing can be done: {first.label}: {first.refused}",
+            f"nothing can be done: {found[0].label}: {found[0].refused}"
+            if found
+            else f"there is no recording beside a {ROBOT}, and nothing that can be imported.",
             f"Give a folder in which each machine has a folder with {ROBOT} and its recordings, or with what its "
             "firmware keeps.",
             file=folder,
@@ -146,15 +163,21 @@ def find(folder: str | Path, action: str = "diagnose", machine: str | None = Non
     return found
 
 
-def passed_over(folder: Path, found: Sequence[Job | Session]) -> tuple[str, ...]:
+def _job(label: str, machine: str | None, robot: Path, table: Path, result: Path | None, *warnings: str) -> Job:
+    """Return the job of a recording; `result` is what it is validated against."""
+    files = {ROBOT: robot, RECORDING: table} | ({} if result is None else {RESULT: result})
+    files |= {f"recording{end}": own for end in OWN if (own := table.with_suffix(end)).exists()}
+    refused = None if robot.exists() else f"there is no {ROBOT} beside it."
+    if result is not None and not result.exists():
+        refused = f"there is no {RESULT} beside it, which identify or diagnose write."
+    return Job(label, _machine_of(label, machine), files, refused, warnings)
+
+
+def passed_over(folder: Path, found: Sequence[Job]) -> tuple[str, ...]:
     """Return the tables below a folder that nothing is done with."""
-    known = {f.label.partition(":")[0] for f in found}
-    for session in found:
-        if isinstance(session, Session):
-            known |= {path.relative_to(folder).as_posix() for path in session.files.values()}
+    known = {path for job in found for path in job.files.values()}
     tables = (p for place in _folders(folder) for p in sorted(place.iterdir()) if p.suffix.lower() in TABLES)
-    names = (p.relative_to(folder).as_posix() for p in tables if not p.stem.endswith(BESIDE))
-    return tuple(name for name in names if name not in known)
+    return tuple(p.relative_to(folder).as_posix() for p in tables if p not in known and not p.stem.endswith(BESIDE))
 
 
 def _folders(top: Path) -> Iterator[Path]:
@@ -181,82 +204,52 @@ def _machine_of(label: str, pattern: str | None) -> str:
     return f"{name} {part}" if part not in ("", "recording") else name
 
 
-def _sessions(folder: Path, place: Path, tables: Sequence[Path]) -> Iterator[Job | Session]:
-    """Yield what can be imported of the files of one folder, and what of them lacks its other half."""
-
-    def label(path: Path) -> str:
-        return path.relative_to(folder).as_posix()
-
-    for path in sorted(p for p in place.iterdir() if p.suffix in (".cfg", ".txt")):
-        text = _beginning(path)
-        if "#*#" in text and "delta_radius" in text:  # Klipper's saved block, of a delta
-            yield Session(label(path), "klipper", {path.name: path})
-    config = next((place / c for c in CONFIGS if "M665" in _beginning(place / c)), None)
-    for table in tables:
-        if _beginning(table).startswith("RepRapFirmware height map"):
-            if config is None:
-                why = (
-                    "a height map alone does not say where the carriages were: config.g with its M665 is not beside it."
-                )
-                yield Job(label(table), place.relative_to(folder).as_posix(), dict, why)
-            else:
-                yield Session(label(table), "rrf", {config.name: config, table.name: table})
-    if (place / ROBOT).exists():
-        lists = [p for p in sorted(place.iterdir()) if p.suffix in (".csv", ".txt", ".tsv", ".asc")]
-        joints = [p for p in lists if is_table_of_joints(p)]
-        if len(lists) == 2 and len(joints) == 1:
-            points = next(p for p in lists if p not in joints)
-            files = {points.name: points, joints[0].name: joints[0], ROBOT: place / ROBOT}
-            yield Session(label(points), "points", files)
-
-
-def _beginning(path: Path) -> str:
-    try:
-        with path.open("rb") as file:
-            return file.read(LOOKED_AT).decode("utf-8", errors="replace")
-    except OSError:
-        return ""
-
-
 @contextmanager
-def laid_out(files: Contents) -> Iterator[Path]:
-    """Yield a folder with the files, which errors call as the user knows them: by their names, not by where they lie.
-
-    It goes afterwards.
-    """
-    with tempfile.TemporaryDirectory() as temporary:
-        folder = Path(temporary)
-        for name, content in files.items():
-            (folder / name).write_bytes(content)
-        try:
-            yield folder
-        except InputError as error:
-            file = None if error.file is None else Path(str(error.file)).name
-            raise type(error)(error.problem, error.remedy, file=file, line=error.line, column=error.column) from None
+def _called_by_name() -> Iterator[None]:
+    """Let errors call files by their names, as the user knows them, not by where they lie."""
+    try:
+        yield
+    except InputError as error:
+        file = None if error.file is None else Path(str(error.file)).name
+        raise type(error)(error.problem, error.remedy, file=file, line=error.line, column=error.column) from None
 
 
-def unpack(kind: str, files: Contents) -> Json:
-    """Import a session in a folder of its own; runs on a worker.
+def unpack(kind: str, files: Sequence[Path], folder: Path) -> Json:
+    """Import what firmware or a tracker keeps into a folder; return the names of its recordings, and its warnings."""
+    with _called_by_name():
+        made = importers.importer(kind)(*files, output=folder)
+    return {"recordings": list(made.recordings), "warnings": list(made.warnings)}
 
-    Returns
-    -------
-    dict
-        ``recordings``: by name, the files as a job has them, as text; ``warnings`` of the import.
-    """
-    with laid_out(files) as folder:
-        out = folder / "imported"
-        made = importers.importer(kind)(*(folder / name for name in files), output=out)
-        recordings = {}
-        for name in made.recordings:
-            ends = (".csv", *OWN)
-            parts = {f"recording{e}": (out / f"{name}{e}") for e in ends if (out / f"{name}{e}").exists()}
-            recordings[name] = {n: p.read_text(encoding="utf-8") for n, p in {ROBOT: out / ROBOT, **parts}.items()}
-        return {"recordings": recordings, "warnings": list(made.warnings)}
+
+def _unpacked(
+    found: Sequence[Job], folder: Path, into: Path, action: str, machine: str | None, workers: int | None
+) -> Iterator[Job]:
+    """Yield all jobs, those of an import as it names them."""
+
+    def given(job: Job) -> tuple[Any, ...]:
+        return job.kind, list(job.files.values()), into / job.label
+
+    outcomes = run(unpack, [Task("", job.label, partial(given, job)) for job in found if job.kind], workers=workers)
+    for job in found:
+        if job.kind is None:
+            yield job
+            continue
+        outcome, made = next(outcomes), into / job.label
+        if outcome.result is None:
+            yield dataclasses.replace(job, refused=outcome.error)
+            continue
+        result = (folder / job.label).parent / RESULT if action == "validate" else None
+        for name in outcome.result["recordings"]:
+            label = job.label if name == "recording" else f"{job.label}:{name}"
+            yield _job(label, machine, made / ROBOT, made / f"{name}.csv", result, *outcome.result["warnings"])
 
 
 def do(action: str, model: str | None, files: Contents) -> Json:
     """Do one task in a folder of its own; runs on a worker."""
-    with laid_out(files) as folder:
+    with tempfile.TemporaryDirectory() as temporary, _called_by_name():
+        folder = Path(temporary)
+        for name, content in files.items():
+            (folder / name).write_bytes(content)
         robot, recording = folder / ROBOT, folder / RECORDING
         moving = kinds.in_motion(recording) is not None
         model = None if moving else model  # of the geometry
@@ -291,163 +284,60 @@ def conduct(
     told: Told = lambda done, total, label: None,
 ) -> Batch:
     """Do all recordings of a folder, and write ``table.csv`` and ``batch.json`` into the run directory."""
-    directory, listed = Path(directory), find(folder, action, machine)
+    folder, directory, listed = Path(folder), Path(directory), find(folder, action, machine)
     store = Store(directory)
-    where: dict[str, Any] = {"workers": workers, "cluster": cluster, "directory": directory, "told": told}
-    todo = list(_unpacked(Path(folder), listed, action, machine, store, where))
-    open_ = [job for job in todo if job.refused is None]
-    keys: dict[str, str] = {}
-    files: dict[str, str] = {}
+    with tempfile.TemporaryDirectory() as imported:
+        todo = list(_unpacked(listed, folder, Path(imported), action, machine, workers))
+        open_ = [job for job in todo if job.refused is None]
+        known = {job.label: _key(job, action, model) for job in open_}
 
-    def given(job: Job) -> tuple[Any, ...]:
-        return action, model, job.contents()
+        def given(job: Job) -> tuple[Any, ...]:
+            return action, model, job.contents()
 
-    def tasks() -> Iterator[Task]:
-        for job in open_:
-            key, files[job.label] = _key(job.contents, action, model)
-            keys[job.label] = key
-            yield Task(key, job.label, partial(given, job))
-
-    outcomes = run(do, tasks(), **where)
-    rows = []
-    for job in todo:
-        outcome = Outcome("", job.label, None, job.refused) if job.refused is not None else next(outcomes)
-        rows.append(_row(job, outcome))
-    changed = _changed(open_, keys, files, store, _last(directory))
-    passed = passed_over(Path(folder), listed) or None
+        tasks = [Task(known[job.label][1], job.label, partial(given, job)) for job in open_]
+        outcomes = run(do, tasks, workers=workers, cluster=cluster, directory=directory, told=told)
+        rows = [_row(job, Outcome("", "", None, job.refused) if job.refused else next(outcomes)) for job in todo]
+    changed = _changed(open_, known, store, _last(directory))
+    passed = passed_over(folder, listed) or None
     found = Batch(action=cast("Action", action), rows=tuple(rows), changed=changed, passed_over=passed)
-    lines = [row.to_dict() for row in rows]
-    columns = list(dict.fromkeys(name for line in lines for name in line))
+    columns = list(dict.fromkeys(name for row in rows for name in row.to_dict()))
     table = {c: [in_table(getattr(row, c, None)) for row in rows] for c in columns}
     write_files(
         {
             directory / "table.csv": csv_text(table),
             directory / "batch.json": json.dumps(found.to_dict(), indent=1) + "\n",
-            directory / LAST: json.dumps({n: [files[n], keys[n]] for n in keys}, indent=1) + "\n",
+            directory / LAST: json.dumps(known, indent=1) + "\n",
         }
     )
     return found
 
 
-def _unpacked(
-    folder: Path,
-    found: Sequence[Job | Session],
-    action: str,
-    machine: str | None,
-    store: Store,
-    where: Mapping[str, Any],
-) -> Iterator[Job]:
-    """Yield all jobs, those of sessions as their import names them."""
-    sessions = [f for f in found if isinstance(f, Session)]
-
-    def tasks() -> Iterator[Task]:
-        for session in sessions:
-            key, _ = _key(functools.partial(_contents, session.files), "import", session.kind)
-            yield Task(key, session.label, functools.partial(_imported_from, session))
-
-    outcomes = run(unpack, tasks(), **where)
-    for item in found:
-        if isinstance(item, Job):
-            yield item
-            continue
-        outcome = next(outcomes)
-        if outcome.result is None:
-            yield Job(item.label, _machine_of(item.label, machine), dict, outcome.error)
-            continue
-        beside = {RESULT: (folder / item.label).parent / RESULT} if action == "validate" else {}
-        for name in outcome.result["recordings"]:
-            label = item.label if name == "recording" else f"{item.label}:{name}"
-            contents = functools.partial(_of_session, store, outcome.key, name, beside)
-            yield Job(label, _machine_of(label, machine), contents, warnings=tuple(outcome.result["warnings"]))
-
-
-def _imported_from(session: Session) -> tuple[str, Contents]:
-    return session.kind, _contents(session.files)
-
-
-def _of_session(store: Store, key: str, name: str, beside: Mapping[str, Path]) -> Contents:
-    """Return the files of an imported recording, which the run directory keeps."""
-    kept = store.get(key)
-    if kept is None or kept.result is None:
-        raise FileNotReadable("a result that was there is gone.", "Run again.", file=store.folder)
-    texts: dict[str, str] = kept.result["recordings"][name]
-    return {n: t.encode() for n, t in texts.items()} | dict(_contents(beside))
-
-
-def _contents(files: Mapping[str, Path]) -> Contents:
-    try:
-        return {name: path.read_bytes() for name, path in files.items()}
-    except OSError as error:
-        raise FileNotReadable(f"cannot be read: {error.strerror}.", "Look at the file.", file=error.filename) from None
-
-
-def _key(contents: Callable[[], Contents], *more: str | None) -> tuple[str, str]:
-    """Return the key of a task with these files, and a hash of the files; unreadable ones fail in their turn."""
+def _key(job: Job, action: str, model: str | None) -> tuple[str, str]:
+    """Return a hash of a job's files, and the key of its task; unreadable files fail in their turn."""
     digest = hashlib.sha256()
     try:
-        for name, content in sorted(contents().items()):
+        for name, content in sorted(job.contents().items()):
             digest.update(f"{name} {len(content)} ".encode() + content)
     except InputError as error:
         digest.update(str(error).encode())
-    return content_key(Batch.named(), *more, digest.hexdigest()), digest.hexdigest()[:32]
+    return digest.hexdigest()[:32], content_key(Batch.named(), action, model, digest.hexdigest())
 
 
 def _figures(found: Answer) -> Json:
     """Return what the table says of an answer, by the fields of its row."""
-    if isinstance(found, MotionDiagnosis | MotionResult | MotionValidation):
-        return _figures_of_drives(found)
-    if isinstance(found, Diagnosis):
-        robot = robot_of(found.robot)
-        return {
-            "verdict": str(found.verdict),
-            "effects": "; ".join(", ".join(filter(None, (e.name, place_of(robot, e.limbs)))) for e in found.findings),
-            "model": found.baseline.model,
-            "before_mm": found.baseline.heldout_rms_mm,
-            "after_mm": found.final.heldout_rms_mm,
-            "noise_mm": found.noise.sigma_mm,
-            "law": "; ".join(map(place_of_law, found.laws[0].terms)) if found.laws else None,
-        }
-    if isinstance(found, Result):
-        return {
-            "model": found.model,
-            "before_mm": found.before_rms_mm,
-            "after_mm": found.heldout_rms_mm,
-            "fitted_mm": found.train_rms_mm,
-            "noise_mm": found.sigma_mm,
-        }
-    assert isinstance(found, Validation)
-    return {"after_mm": found.rms_mm, "worst_mm": found.worst_mm, "chi2_per_dof": found.chi2_per_dof}
+    figures: Json = {field: attrgetter(path)(found) for field, path in _FIELDS[type(found)].items()}
+    if isinstance(found, Diagnosis | MotionDiagnosis):
+        named, part = (found.findings, None) if isinstance(found, Diagnosis) else (found.effects, "joint")
+        places = [(e.name, found.robot.places.name(e.limbs, part)) for e in named]
+        figures["effects"] = "; ".join(", ".join(filter(None, place)) for place in places)
+        figures["law"] = "; ".join(dict.fromkeys(map(place_of_law, found.laws[0].terms))) if found.laws else None
+    return figures
 
 
 def place_of_law(term: LawTerm) -> str:
     """Return what a term of a law moves and what it reads, whatever its shape: ``joint(oil_C, payload)``."""
     states = sorted(load_law(f"{PREFIX}{term.target} = {term.expression}").STATE)
     return f"{term.target}({', '.join(states)})"
-
-
-def _figures_of_drives(found: MotionDiagnosis | MotionResult | MotionValidation) -> Json:
-    """Return what the table says of an answer in motion."""
-    if isinstance(found, MotionValidation):
-        return {
-            "unit_by_joint": found.unit_by_joint,
-            "after_by_joint": found.rms_by_joint,
-            "readings": found.readings,
-            "chi2_per_dof": found.chi2_per_dof,
-        }
-    said = {
-        "unit_by_joint": found.final.unit_by_joint,
-        "after_by_joint": found.final.heldout_rms_by_joint,
-        "noise_by_joint": found.noise.sigma_by_joint,
-    }
-    if isinstance(found, MotionResult):
-        return said | {"model": found.model, "fitted_by_joint": found.final.train_rms_by_joint}
-    return said | {
-        "verdict": str(found.verdict),
-        "effects": "; ".join(f"{e.name} {' '.join(map(str, e.limbs))}".strip() for e in found.effects),
-        "model": found.baseline.model,
-        "before_by_joint": found.baseline.heldout_rms_by_joint,
-        "law": "; ".join(dict.fromkeys(map(place_of_law, found.laws[0].terms))) if found.laws else None,
-    }
 
 
 def _row(job: Job, outcome: Outcome) -> Row:
@@ -470,25 +360,22 @@ def write_pages(found: Batch, directory: Path) -> dict[str, str]:
     store, last, links = Store(directory), _last(directory), {}
     done = [] if found.action == "validate" else worst(found.rows, report.MOST_DRAWN)
     for row in done:
-        kept = None if row.error is not None else store.get(last[row.recording][1])
-        if kept is None or kept.result is None:
+        if row.error is not None:
             continue
-        place = Path(PAGES) / f"{last[row.recording][1]}.html"
-        if not (directory / place).exists():
-            (directory / PAGES).mkdir(exist_ok=True)
-            answer = read_answer(kept.result)
-            write_files({directory / place: _page(answer)})
-        links[row.recording] = place.as_posix()
+        key = last[row.recording][1]
+        place = directory / PAGES / f"{key}.html"
+        if not place.exists() and (answer := _answer(store, key)) is not None:
+            place.parent.mkdir(exist_ok=True)
+            write_files({place: page_of(answer)})
+        if place.exists():
+            links[row.recording] = f"{PAGES}/{place.name}"
     return links
 
 
-def _page(answer: Answer) -> str:
-    """Return the page of a recording."""
-    if isinstance(answer, MotionResult | MotionDiagnosis):
-        from deltacal_gen.pages import motion
-
-        return motion.motion(answer)
-    return report.calibration(answer) if isinstance(answer, Result) else report.diagnosis(cast("Any", answer))
+def _answer(store: Store, key: str) -> Answer | None:
+    """Return the answer that a task has given; None where it has given none."""
+    kept = store.get(key)
+    return None if kept is None or kept.result is None else read_answer(kept.result)
 
 
 # ------------------------------------------------------------------------------------------------------ what changed
@@ -503,29 +390,24 @@ def _last(directory: Path) -> dict[str, tuple[str, str]]:
 
 
 def _changed(
-    todo: Sequence[Job],
-    keys: Mapping[str, str],
-    files: Mapping[str, str],
-    store: Store,
-    last: Mapping[str, tuple[str, str]],
+    done: Sequence[Job], known: Mapping[str, tuple[str, str]], store: Store, last: Mapping[str, tuple[str, str]]
 ) -> tuple[Moved, ...]:
     """Return what moved, machine by machine: from one recording to the next, and since the last time."""
     changed = []
     before: dict[str, Job] = {}
-    for job in todo:
-        pairs = []
+    for job in done:
+        files, key = known[job.label]
+        others = []
         if job.machine in before:
-            pairs.append((before[job.machine].label, keys[before[job.machine].label]))
-        was, task = last.get(job.label, (files[job.label], ""))
-        if was != files[job.label]:  # other files; the same ones done by other code are no change
-            pairs.append((f"{job.label}, last time", task))
+            others.append((before[job.machine].label, known[before[job.machine].label][1]))
+        was, task = last.get(job.label, (files, ""))
+        if was != files:  # other files; the same ones done by other code are no change
+            others.append((f"{job.label}, last time", task))
         before[job.machine] = job
-        for label, key in pairs:
-            old, new = store.get(key), store.get(keys[job.label])
-            if old is None or new is None or old.result is None or new.result is None:
-                continue
+        for label, other in others:
             try:
-                text = moved(read_answer(old.result), read_answer(new.result))
+                old, new = _answer(store, other), _answer(store, key)
+                text = None if old is None or new is None else moved(old, new)
             except InputError as error:  # other machines, or a run of another version
                 text = str(error)
             if text is not None:

@@ -16,6 +16,8 @@ from deltacal_gen.files.writing import write_files, write_recording
 from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.machine.values import Measurement, Recording
 
+LOOKED_AT = 1_000_000  # bytes of a file, to tell what it is
+
 
 @dataclass(frozen=True)
 class Imported:
@@ -86,3 +88,12 @@ def robot_with(robot: str | Path | None, count: int, file: Path) -> tuple[Robot 
             file=file,
         )
     return machine, mechanism.joint_units
+
+
+def beginning(path: Path) -> str:
+    """Return the beginning of a file as text, by which it is recognised; "" where it cannot be read."""
+    try:
+        with path.open("rb") as file:
+            return file.read(LOOKED_AT).decode("utf-8", errors="replace")
+    except OSError:
+        return ""

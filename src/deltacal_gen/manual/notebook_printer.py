@@ -33,7 +33,7 @@ print(result.headline)
 # The lines are the firmware's own numbers: each as it is and as it is to be, and what either leave on the bed.
 
 # %%
-lines = dc.firmware_lines(result, "klipper", output="lines.cfg")
+lines = dc.export_compensator(result, export="klipper", output="lines.cfg")
 print(f"bed: {lines.before.bed_rms_mm:.3f} -> {lines.after.bed_rms_mm:.3f} mm rms")
 print(f"sideways: {lines.before.lateral_rms_mm:.3f} -> {lines.after.lateral_rms_mm:.3f} mm rms")
 

@@ -24,11 +24,6 @@ from deltacal_gen.results.motion import (
 from deltacal_gen.results.parts import Source
 from deltacal_gen.results.places import Places
 
-_VERDICTS = {
-    Verdict.ADEQUATE: "nothing is missing",
-    Verdict.MISSING_PHYSICS: "missing physics found",
-    Verdict.UNEXPLAINED: "unexplained mismatch",
-}
 OVER_TIME, AGAINST = (3.9, 1.9), (7.4, 1.9)  # sizes of a picture [inches]
 WIDE = 7.4
 LAW = (6.4, 3.0)
@@ -125,8 +120,8 @@ def _diagnosed(found: MotionDiagnosis) -> dict[str, Any]:
     names = ", ".join(dict.fromkeys([*(e.title for e in found.effects), *map(laws.title, found.laws)]))
     return {
         "badge": found.verdict.value,
-        "verdict": _VERDICTS[found.verdict],
-        "headline": f"Beside the rigid machine: {names}" if names else _VERDICTS[found.verdict].capitalize(),
+        "verdict": report.VERDICTS[found.verdict],
+        "headline": f"Beside the rigid machine: {names}" if names else report.VERDICTS[found.verdict].capitalize(),
         "lead": found.summary,
         "steps": [_step(e, found.robot.places) for e in found.effects],
         "ladder": _ladder(found.ladder),

@@ -9,6 +9,7 @@ from __future__ import annotations
 import html
 import io
 import math
+import re
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache, partial
 from importlib import resources
@@ -40,29 +41,9 @@ COLOURS = {INK: "var(--ink)", MUTED: "var(--muted)", BEFORE: "var(--before)", AF
 MOST_DRAWN = 60  # recordings of a batch, each with its line; of more, their distribution
 FAILED = {"verdict": "failed"}  # in the columns of a recording that could not be done
 MOST_ROWS = 500  # of a table on a page: 10^5 would be 20 MB, which no browser likes
-_NUMERIC = {
-    "value ± standard deviation",
-    "amplitude ± standard deviation",
-    "p",
-    "order",
-    "gain in chi²",
-    "value",
-    "takes away",
-    "recordings",
-    "said so",
-}
-_NUMERIC |= {
-    "drawn with",
-    "simulated",
-    "predicted",
-    "stated",
-    "bias",
-    "degrees of freedom",
-    "share of variance",
-}  # and lengths
-_NUMERIC |= {"chance and search", "earns", "as drawn", "identified", "95 % of machines", "readings"}
+_NUMBERS = re.compile(r"[-+\d.,eE±·∞()% ⁻⁰¹²³⁴⁵⁶⁷⁸⁹]*")
 DOUBTED = "nothing is proven to be missing"  # where there are hints
-_VERDICTS = {
+VERDICTS = {
     Verdict.ADEQUATE: "nothing is missing",
     Verdict.MISSING_PHYSICS: "missing physics found",
     Verdict.UNEXPLAINED: "unexplained mismatch",
@@ -90,7 +71,7 @@ def diagnosis(found: Diagnosis) -> str:
         title=f"{machine}: diagnosis",
         machine=machine,
         found=found,
-        verdict=DOUBTED if found.verdict is Verdict.ADEQUATE and found.hints else _VERDICTS[found.verdict],
+        verdict=DOUBTED if found.verdict is Verdict.ADEQUATE and found.hints else VERDICTS[found.verdict],
         headline=_headline(found),
         lead=_lead(found),
         steps=_steps(found),
@@ -247,7 +228,12 @@ def asset(name: str) -> str:
 
 def _rendered(template: str, **content: Any) -> str:
     page = _environment().get_template(f"{template}.html.jinja")
-    return page.render(style=asset("style.css"), numeric=_NUMERIC, **content)
+    return page.render(style=asset("style.css"), numeric=_numeric, **content)
+
+
+def _numeric(rows: Sequence[Sequence[object]]) -> list[bool]:
+    """Return whether each column of a table holds numbers alone."""
+    return [all(_NUMBERS.fullmatch(str(cell)) for cell in column) for column in zip(*rows, strict=True)]
 
 
 def _pages() -> Any:

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, cast
 
-from deltacal_gen.app.commands.common import Source, as_recording, check_output, made, moving_like, write_json
+from deltacal_gen.app.commands.common import Source, as_recording, check_output, deliver, made, moving_like
 from deltacal_gen.errors import ReadingsAlreadySeen, WrongFile
 
 if TYPE_CHECKING:
@@ -51,7 +51,6 @@ def validate(result: Given, recording: AnyRecording, *, report: Source | None = 
     deltacal validate result.json other.csv
     """
     from deltacal_gen.app.commands.clocks import as_known
-    from deltacal_gen.files.writing import write_files
     from deltacal_gen.results.motion import MotionModel
     from deltacal_gen.use import validation
     from deltacal_gen.use.known import known_model
@@ -65,11 +64,7 @@ def validate(result: Given, recording: AnyRecording, *, report: Source | None = 
     own = made(result, recording, measured=given)
     seen = True if _seen(own, known.made) else None
     found = validation.validate(known, given).replace(made=own, seen=seen)
-    if report is not None:
-        from deltacal_gen.pages import validation as page
-
-        write_files({Path(report): page.page(found)})
-    return found
+    return deliver(found, None, report)
 
 
 def _validated_in_motion(
@@ -211,10 +206,7 @@ def compare(before: Given, after: Given, *, output: Source | None = None) -> Com
         found = comparison.compare_in_motion(first, second)
     else:
         found = comparison.compare(_calibration(before), _calibration(after))
-    found = found.replace(made=made(before, after))
-    if output is not None:
-        write_json(found, output)
-    return found
+    return deliver(found.replace(made=made(before, after)), output)
 
 
 def _calibration(given: Given) -> Result:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 import io
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, TypeVar, cast
+from typing import TYPE_CHECKING, Any, Literal, cast
 
 from deltacal_gen.app.commands.common import (
     Progress,
@@ -13,22 +13,19 @@ from deltacal_gen.app.commands.common import (
     as_recording,
     as_robot,
     check_output,
+    deliver,
     in_motion,
     made,
     refuse_in_motion,
     silent,
-    write_json,
 )
 
 if TYPE_CHECKING:
     from deltacal_gen.app.commands.common import AnyRecording, AnyRobot
     from deltacal_gen.estimation.solvers import Solver
     from deltacal_gen.results.diagnosis import Diagnosis
-    from deltacal_gen.results.motion import MotionDiagnosis, MotionResult
     from deltacal_gen.results.reader import Given
     from deltacal_gen.results.result import Firmware, Result
-
-InMotion = TypeVar("InMotion", "MotionResult", "MotionDiagnosis")
 
 
 def identify(
@@ -107,7 +104,8 @@ def identify(
     check_output(report, robot, recording, physics, output)
     if (moving := in_motion(recording)) is not None:
         refuse_in_motion(as_distance=as_distance, physics=physics)
-        return cast("Result", _finished(moving.identify(as_robot(robot), model), output, report, robot, recording))
+        in_drives = moving.identify(as_robot(robot), model).replace(made=made(robot, recording))
+        return cast("Result", deliver(in_drives, output, report))
     diagnosis, files = None if physics is None else known_diagnosis(physics), (robot, recording, physics)
     robot, held = as_robot(robot), [] if diagnosis is None else known_effects(diagnosis)
     given, clock = set_in_time(robot, recording, model, held=held, progress=progress)
@@ -133,21 +131,7 @@ def identify(
             found = found.replace(firmware=_as_firmware(of_firmware))
     if diagnosis is not None and found.continued is None:
         found = found.replace(never_seen=spectrum.never_seen(diagnosis.seen, robot.joint_sign * given.joints))
-    found = with_clock(found, clock).replace(made=made(*files, measured=given))
-    if output is not None:
-        write_json(found, output)
-    if report is not None:
-        _write_page(found, report)
-    return found
-
-
-def _write_page(found: Result | Diagnosis, path: Source) -> None:
-    from deltacal_gen.files.writing import write_files
-    from deltacal_gen.pages import report
-    from deltacal_gen.results.result import Result
-
-    page = report.calibration(found) if isinstance(found, Result) else report.diagnosis(found)
-    write_files({Path(path): page})
+    return deliver(with_clock(found, clock).replace(made=made(*files, measured=given)), output, report)
 
 
 def _as_firmware(found: Result) -> Firmware:
@@ -160,19 +144,6 @@ def _as_firmware(found: Result) -> Firmware:
         heldout_rms_mm=found.heldout_rms_mm,
         errors=found.robot.errors,
     )
-
-
-def _finished(found: InMotion, output: Source | None, report: Source | None, *files: object) -> InMotion:
-    """Return an answer in motion with what it was made of, written where that is wanted, and its page."""
-    found = found.replace(made=made(*files))
-    if output is not None:
-        write_json(found, output)
-    if report is not None:
-        from deltacal_gen.files.writing import write_files
-        from deltacal_gen.pages import motion as page
-
-        write_files({Path(report): page.motion(found)})
-    return found
 
 
 def diagnose(
@@ -221,12 +192,8 @@ def diagnose(
     --------
     deltacal diagnose robot.toml recording.csv -o diagnosis.json --report diagnosis.html
     """
-    from deltacal_gen.app.commands.clocks import set_in_time, with_clock
-    from deltacal_gen.diagnosis import diagnosis
     from deltacal_gen.diagnosis.laws.effect_file import effect_file, effect_name
     from deltacal_gen.files.writing import write_files
-    from deltacal_gen.machine.registry import mechanism_of
-    from deltacal_gen.use.prediction import known_effects
 
     check_output(output, robot, recording)
     check_output(report, robot, recording, output)
@@ -235,28 +202,32 @@ def diagnose(
         effect_name(Path(write_effect))
     if (moving := in_motion(recording)) is not None:
         refuse_in_motion(model=model)
-        found_in_motion = moving.diagnose(as_robot(robot), progress)
-        if write_effect is not None and found_in_motion.laws:
-            write_files({Path(write_effect): effect_file(found_in_motion.laws[0], Path(write_effect))})
-        return cast("Diagnosis", _finished(found_in_motion, output, report, robot, recording))
+        found = cast("Diagnosis", moving.diagnose(as_robot(robot), progress).replace(made=made(robot, recording)))
+    else:
+        found = _diagnosed(robot, recording, model, progress)
+    progress("report")
+    if write_effect is not None and found.laws:
+        write_files({Path(write_effect): effect_file(found.laws[0], Path(write_effect))})
+    return deliver(found, output, report)
+
+
+def _diagnosed(robot: AnyRobot, recording: AnyRecording, model: str | int | None, progress: Progress) -> Diagnosis:
+    """Return the diagnosis of a recording at rest; clocks and effects, which may move each other, are found in turn."""
+    from deltacal_gen.app.commands.clocks import set_in_time, with_clock
+    from deltacal_gen.diagnosis import diagnosis
+    from deltacal_gen.machine.registry import mechanism_of
+    from deltacal_gen.use.prediction import known_effects
+
     files = (robot, recording)
     robot = as_robot(robot)
     name = None if model is None else mechanism_of(robot).full_name(str(model))
     given, clock = set_in_time(robot, recording, name, doubtful=True, progress=progress)
     found = diagnosis.diagnose(robot, given, name, progress=progress).answer()
-    if clock is not None and found.physics:  # what bends the machine may have moved the clock, and the other way round
+    if clock is not None and found.physics:
         held = known_effects(found)
         given, clock = set_in_time(robot, recording, name, held=held, start=clock, doubtful=True, progress=progress)
         found = diagnosis.diagnose(robot, given, name, progress=progress).answer()
-    found = with_clock(found, clock).replace(made=made(*files, measured=given))
-    if output is not None:
-        write_json(found, output)
-    if report is not None:
-        progress("report")
-        _write_page(found, report)
-    if write_effect is not None and found.laws:
-        write_files({Path(write_effect): effect_file(found.laws[0], Path(write_effect))})
-    return found
+    return with_clock(found, clock).replace(made=made(*files, measured=given))
 
 
 def matrix(

@@ -11,7 +11,7 @@ import os
 import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from deltacal_gen.errors import FileNotWritable, OptionNotApplicable, OutputName, WrongFile
 from deltacal_gen.version import __version__
@@ -44,6 +44,7 @@ if TYPE_CHECKING:
 
 Source = str | Path
 Progress = Callable[[str], None]
+AnyAnswer = TypeVar("AnyAnswer", bound="Answer")
 PICTURES = (".svg", ".png", ".pdf")
 
 
@@ -157,11 +158,17 @@ def _with_its_own(path: Path) -> list[Path]:
     return [p for p in (path, *beside) if p.is_file()]
 
 
-def write_json(answer: Answer, path: Source) -> None:
-    """Write an answer, replacing the file only when it is complete."""
+def deliver(answer: AnyAnswer, output: Source | None, report: Source | None = None) -> AnyAnswer:
+    """Return an answer, its JSON and its page written where these are wanted."""
     from deltacal_gen.files.writing import write_files
 
-    write_files({Path(path): answer.to_json()})
+    if output is not None:
+        write_files({Path(output): answer.to_json()})
+    if report is not None:
+        from deltacal_gen.pages.answer import page_of
+
+        write_files({Path(report): page_of(answer)})
+    return answer
 
 
 def check_folder(path: Source) -> None:

@@ -12,9 +12,9 @@ from deltacal_gen.app.commands.common import (
     as_recording,
     as_robot,
     check_output,
+    deliver,
     in_motion,
     untold,
-    write_json,
 )
 from deltacal_gen.errors import MissingChannel, NoiseUnknown, OptionNotApplicable, ValueOutOfRange
 
@@ -107,14 +107,7 @@ def study(
     found = studies.conduct(
         machines, trials, diagnoses, model=chosen, told=told, workers=workers, cluster=cluster, directory=resume
     )
-    if output is not None:
-        write_json(found, output)
-    if report is not None:
-        from deltacal_gen.files.writing import write_files
-        from deltacal_gen.pages import studies as pages
-
-        write_files({Path(report): pages.page(found)})
-    return found
+    return deliver(found, output, report)
 
 
 def _machines(

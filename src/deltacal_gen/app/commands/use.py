@@ -16,7 +16,7 @@ from deltacal_gen.app.commands.common import (
     refuse_in_motion,
     silent,
 )
-from deltacal_gen.errors import NotForThisMachine, OptionMissing, OptionNotApplicable
+from deltacal_gen.errors import OptionMissing, OptionNotApplicable
 
 if TYPE_CHECKING:
     from deltacal_gen.app.commands.common import AnyRecording
@@ -24,10 +24,8 @@ if TYPE_CHECKING:
     from deltacal_gen.machine.values import Recording
     from deltacal_gen.motion.feedforward import FeedForward
     from deltacal_gen.motion.trajectories import Trajectories
-    from deltacal_gen.results.diagnosis import Diagnosis
     from deltacal_gen.results.motion import MotionModel
     from deltacal_gen.results.reader import Given
-    from deltacal_gen.results.result import Result
     from deltacal_gen.results.written import FirmwareLines
 
 
@@ -158,13 +156,9 @@ def export_compensator(
         exporter.in_motion(known, Path(output))
         return None
     lines = exporter.at_rest(known, Path(output), kind=method, worst_mm=tolerance_mm)
-    _tell_of_correction(known, tell)
-    return lines
-
-
-def _tell_of_correction(known: Result | Diagnosis, tell: Progress) -> None:
     if known.correction is not None:
         tell("the smooth correction is not part of an export; compensate targets instead")
+    return lines
 
 
 def feed_forward(
@@ -213,42 +207,6 @@ def feed_forward(
         tell(f"{count} of {len(found.torque)} samples lie beyond [limits] {name}")
     if output is not None:
         write_files({Path(output): csv_text(found.columns_of_file())})
-    return found
-
-
-def firmware_lines(result: Given, kind: str, *, output: Source | None = None, tell: Progress = silent) -> FirmwareLines:
-    """Return the lines of a printer's firmware for a calibrated machine, beside those in its file now.
-
-    Parameters
-    ----------
-    result : path or Result or Diagnosis
-        RESULT.json of identify, or DIAGNOSIS.json of diagnose.
-    kind : str
-        The firmware, as `compensate` exports for it: klipper, ...
-    output : path, optional
-        The lines.
-    tell : callable
-        Called with what the lines do not hold.
-
-    Raises
-    ------
-    UsageError
-        Another mechanism than a linear delta.
-    NoSolutionError
-        The lines would be worse than those in the file now; nothing is written.
-    """
-    from deltacal_gen.files.writing import write_files
-    from deltacal_gen.use import exporters, firmware
-    from deltacal_gen.use.known import known_result
-
-    check_output(output, result)
-    known, exporter = known_result(result), exporters.exporter_of(kind)
-    if not isinstance(exporter, firmware.Firmware):
-        raise NotForThisMachine(f"an export '{kind}' has no lines of a printer's firmware.")
-    found = exporter.lines_of(known)
-    _tell_of_correction(known, tell)
-    if output is not None:
-        write_files({Path(output): found.text})
     return found
 
 

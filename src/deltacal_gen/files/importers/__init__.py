@@ -2,7 +2,8 @@
 
 The file ``KIND.py`` defines ``import_KIND``. Its parameters before `output` are the files that it takes, in their
 order, and its keyword-only ones are its options: the command ``deltacal import KIND`` and the function
-``deltacal_gen.import_KIND`` are both made of that signature.
+``deltacal_gen.import_KIND`` are both made of that signature. ``recognise(folder)``, in files that have it, yields what
+of a folder can be imported: the path by which it is called, and the files in the order of the arguments.
 """
 
 from __future__ import annotations
@@ -10,7 +11,8 @@ from __future__ import annotations
 import functools
 import importlib
 import pkgutil
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from deltacal_gen.errors import UnknownName
@@ -33,3 +35,10 @@ def importer(kind: str) -> Callable[..., Imported]:
         raise UnknownName(f"there is no import '{kind}'; known: {', '.join(names())}.")
     read: Callable[..., Imported] = getattr(importlib.import_module(f"{__name__}.{kind}"), PREFIX + kind)
     return read
+
+
+def recognised(folder: Path) -> Iterator[tuple[str, Path, Sequence[Path]]]:
+    """Yield what can be imported of a folder: its kind, what it is called, and its files as the importer takes them."""
+    for kind in names():
+        module = importlib.import_module(f"{__name__}.{kind}")
+        yield from ((kind, *found) for found in (module.recognise(folder) if hasattr(module, "recognise") else ()))

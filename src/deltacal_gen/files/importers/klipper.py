@@ -21,7 +21,7 @@ import numpy as np
 
 from deltacal_gen.errors import InputError, PrinterFile
 from deltacal_gen.files import printers
-from deltacal_gen.files.imported import Imported, write_import
+from deltacal_gen.files.imported import Imported, beginning, write_import
 from deltacal_gen.files.naming import naming
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.files.toml import read_text
@@ -48,6 +48,14 @@ FIRST = printers.TOWERS[0]  # whose numbers hold for the other towers, too
 FULL_STEPS = 200.0  # of a motor's turn
 ROUNDED = 1e-3  # of the bed's radius: a map's limits are written with a digit or two
 LONGEST_NAME = 100  # letters of a mesh's name, which becomes a file's
+
+
+def recognise(folder: Path) -> Iterator[tuple[Path, tuple[Path, ...]]]:
+    """Yield what Klipper keeps of delta printers in a folder."""
+    for path in sorted(p for p in folder.iterdir() if p.suffix in (".cfg", ".txt")):
+        text = beginning(path)
+        if SAVED in text and "delta_radius" in text:
+            yield path, (path,)
 
 
 def import_klipper(path: str | Path, output: str | Path | None = None) -> Imported:

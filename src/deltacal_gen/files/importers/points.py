@@ -8,6 +8,7 @@ in its group is a repeat. The joints of each point come from a second table, by 
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -15,7 +16,7 @@ import numpy as np
 from deltacal_gen.errors import ImportUnclear
 from deltacal_gen.files.columns import JOINT
 from deltacal_gen.files.imported import Imported, recorded, robot_with, write_import
-from deltacal_gen.files.lists import GROUP, POINT, joints_of, points_of, read_list
+from deltacal_gen.files.lists import GROUP, POINT, is_table_of_joints, joints_of, points_of, read_list
 from deltacal_gen.files.naming import listed
 from deltacal_gen.files.rows import Rows
 from deltacal_gen.instrument.kinds import POINTS
@@ -23,7 +24,18 @@ from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.values import POSITION
 
 ROTATION = re.compile(r"r[xyz](_deg)?", re.IGNORECASE)
+LISTS = (".csv", ".txt", ".tsv", ".asc")  # ends of the names of lists and tables
 FEW = 3  # names that a message lists
+
+
+def recognise(folder: Path) -> Iterator[tuple[Path, tuple[Path, ...]]]:
+    """Yield the list of points in a folder that holds one, a table of joints, and a robot file."""
+    lists = [path for path in sorted(folder.iterdir()) if path.suffix in LISTS]
+    joints = [path for path in lists if is_table_of_joints(path)]
+    robot = folder / "robot.toml"
+    if robot.exists() and len(lists) == 2 and len(joints) == 1:
+        points = next(path for path in lists if path not in joints)
+        yield points, (points, *joints, robot)
 
 
 def import_points(

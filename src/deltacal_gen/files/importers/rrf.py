@@ -3,18 +3,26 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
 
 from deltacal_gen.errors import PrinterFile
-from deltacal_gen.files.imported import Imported, write_import
+from deltacal_gen.files.imported import Imported, beginning, write_import
 from deltacal_gen.files.naming import naming
 from deltacal_gen.files.printers import check_delta, doubt_arms, from_codes, number
 from deltacal_gen.files.toml import read_text
 from deltacal_gen.machine.registry import Array
 
-OVERRIDE = "config-override.g"
+CONFIG, OVERRIDE = "config.g", "config-override.g"
+MAP = "RepRapFirmware height map"  # begins the file of one
+
+
+def recognise(folder: Path) -> Iterator[tuple[Path, tuple[Path, ...]]]:
+    """Yield the height maps in a folder, each with the configuration beside it; M500 writes the one that then holds."""
+    config = next((folder / c for c in (OVERRIDE, CONFIG) if "M665" in beginning(folder / c)), folder / CONFIG)
+    yield from ((path, (config, path)) for path in sorted(folder.glob("*.csv")) if beginning(path).startswith(MAP))
 
 
 def import_rrf(config: str | Path, height_map: str | Path, output: str | Path | None = None) -> Imported:
