@@ -73,7 +73,6 @@ OF_MACHINES = {
 OF_EFFECTS = {
     "motion/joint.py:the module": "what every drive has, to begin with",
     "motion/lag.py:the module": "the delay of a drive's readings, which is no term beside others: all terms come late",
-    "files/robot.py:_joint_table": "a key of a joint's table, which has the same name",
     "machine/dynamics.py:stated": "a field of a joint of the robot file, which has the same name",
 }
 OF_TARGETS = {

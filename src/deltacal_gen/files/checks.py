@@ -13,7 +13,7 @@ from deltacal_gen.files.rows import Rows
 from deltacal_gen.instrument.kinds import PAIRS, kind_of
 from deltacal_gen.machine.values import Recording, Robot
 from deltacal_gen.states import RECORDED
-from deltacal_gen.units import DEG, file_unit, of_joints, to_file
+from deltacal_gen.units import DEG, joint_names, of_joints, to_file
 
 _SAME_JOINT = 1e-6 * DEG  # rad, and mm: joints that differ by more are not the same pose
 _LEAST_SPREAD = 0.01  # of readings, in machine sizes per rad of joint motion (1 rad at most)
@@ -132,28 +132,21 @@ def check_repeats(recording: Recording, rows: Rows) -> None:
 
 def check_home(recording: Recording) -> None:
     """Increments count from the first row, which stands at the home."""
-    found = recording.joints[0]
-    if np.abs(found).max() > _SAME_JOINT:
-        joint = int(np.argmax(np.abs(found)))
-        unit = of_joints(recording.joint_unit, len(found))[joint]
+    unit, home = recording.joint_unit, recording.joints[0]
+    each = zip(joint_names(unit, len(home)), of_joints(unit, len(home)), home, strict=True)
+    off = {name: to_file(value, u) for name, u, value in each if abs(value) > _SAME_JOINT}
+    what, axes = "joints", kind_of(recording.kind).zero_at_home(recording)
+    if not off and axes is not None:
+        spread = float(np.ptp(axes[np.isfinite(axes).all(axis=1)], axis=0).max(initial=0.0))
+        first = zip(recording.columns, axes[0].tolist(), strict=False)
+        off, what = {name: value for name, value in first if abs(value) > _HOME * spread}, "readings"
+    if off:
+        column = max(off, key=lambda name: abs(off[name]))
         raise ImplausibleReadings(
-            f'zero = "incremental": joints count from the home, yet the first row reads '
-            f"{to_file(found[joint], unit):.6g} {file_unit(unit)}.",
+            f'zero = "incremental": {what} count from the home, yet the first row reads {off[column]:.6g} '
+            f"{column.rpartition('_')[2]}.",
             'Put the home, with joints 0, into the first row, or say zero = "absolute" in the sidecar.',
             file=recording.path,
             line=int(recording.line[0]),
-            column=f"q{joint + 1}_{file_unit(unit)}",
-        )
-    if (axes := kind_of(recording.kind).zero_at_home(recording)) is None:
-        return
-    spread = float(np.ptp(axes[np.isfinite(axes).all(axis=1)], axis=0).max(initial=0.0))
-    axis = int(np.argmax(np.abs(np.nan_to_num(axes[0]))))
-    if abs(np.nan_to_num(axes[0, axis])) > _HOME * spread:
-        raise ImplausibleReadings(
-            f'zero = "incremental": readings count from the home, yet the first row, with joints 0, reads '
-            f"{axes[0, axis]:.6g} mm.",
-            'Put the home into the first row, or say zero = "absolute" in the sidecar.',
-            file=recording.path,
-            line=int(recording.line[0]),
-            column=recording.columns[axis],
+            column=column,
         )
