@@ -8,10 +8,9 @@ kinds carry the exit code of the command line (contract, section 6).
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from pathlib import Path
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
 
 
 class DeltacalError(Exception):
@@ -76,6 +75,22 @@ class InputError(DeltacalError):
         self.problem, self.remedy = problem, remedy
         self.file, self.line, self.column = file, line, column
         super().__init__(f"{where.removeprefix(', ')}: {problem} {remedy}" if where else f"{problem} {remedy}")
+
+
+@contextmanager
+def naming(file: Path) -> Iterator[None]:
+    """Name a file in each InputError that names none, while it is read."""
+    try:
+        yield
+    except InputError as error:
+        if error.file is not None:
+            raise
+        raise type(error)(error.problem, error.remedy, file=file, line=error.line, column=error.column) from None
+
+
+def listed(names: Sequence[str], most: int) -> str:
+    """Return names as a message lists them: the first ones, as many as `most`."""
+    return ", ".join(names[:most]) + " ..." * (len(names) > most)
 
 
 class NoSolutionError(DeltacalError):

@@ -12,9 +12,8 @@ from typing import Any
 
 import numpy as np
 
-from deltacal_gen.errors import PrinterFile
+from deltacal_gen.errors import PrinterFile, naming
 from deltacal_gen.files.imported import recorded
-from deltacal_gen.files.naming import naming
 from deltacal_gen.files.robot import Robot, robot_from_dict
 from deltacal_gen.files.rows import number_of
 from deltacal_gen.machine.registry import SOLVED, Array, load_mechanism

@@ -20,11 +20,12 @@ from deltacal_gen.errors import (
     InputError,
     MissingColumn,
     MissingLibrary,
+    listed,
+    naming,
 )
 from deltacal_gen.files import dialect
 from deltacal_gen.files.columns import RESERVED, is_channel
 from deltacal_gen.files.dialect import LOOKED_AT, RECORDED, Layout, Scales, Vocabulary
-from deltacal_gen.files.naming import listed, naming
 from deltacal_gen.files.toml import nearest
 
 WORKBOOKS = (".xlsx", ".xlsm")

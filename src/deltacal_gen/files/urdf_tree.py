@@ -15,8 +15,7 @@ from xml.parsers import expat
 
 import numpy as np
 
-from deltacal_gen.errors import FileFormat, InputError, UnknownName, UnusableURDF
-from deltacal_gen.files.naming import listed
+from deltacal_gen.errors import FileFormat, InputError, UnknownName, UnusableURDF, listed
 from deltacal_gen.files.rows import number_of
 from deltacal_gen.files.toml import nearest, read_bytes
 from deltacal_gen.machine.rotation import Array, from_turns, from_vector

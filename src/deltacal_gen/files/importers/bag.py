@@ -10,27 +10,34 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
 import numpy as np
-from pydantic import Field
+from pydantic import AfterValidator, Field
 
-from deltacal_gen.errors import DeltacalError, FileNotReadable, ImportUnclear, NotInstalled, ValueOutOfRange
+from deltacal_gen.errors import DeltacalError, FileNotReadable, ImportUnclear, NotInstalled, listed, naming
 from deltacal_gen.files.imported import Imported, robot_with, write_import
-from deltacal_gen.files.naming import listed, naming
 from deltacal_gen.files.quaternions import rotation_vector
 from deltacal_gen.files.samples import Samples, imported, join
 from deltacal_gen.files.toml import Table, TomlFile
 from deltacal_gen.machine.registry import Array
+from deltacal_gen.units import DEG
 
-SCALES = {"rad": 1.0, "deg": np.pi / 180, "mm": 1.0, "m": 1000.0}  # to rad and mm
+M = 1000.0  # mm
 JOINTS = "JointState"
 READINGS = ("PointStamped", "PoseStamped", "TransformStamped")
 FEW = 6  # names that a message lists
 _STEP = re.compile(r"([A-Za-z_]\w*)((?:\[\d+\])*)")
 
 Path_ = Annotated[str, Field(pattern=r"^[A-Za-z_]\w*(\[\d+\])*(\.[A-Za-z_]\w*(\[\d+\])*)*$")]
+
+
+def _is_body(fields: tuple[str, ...]) -> tuple[str, ...]:
+    if len(fields) not in (0, 3, 6):
+        raise ValueError("three or six parts were expected")
+    return fields
 
 
 class JointMap(Table):
@@ -46,7 +53,7 @@ class ReadingMap(Table):
     """[readings] of a mapping: parts of a message that are x, y, z, and a rotation vector where six are given."""
 
     topic: str | None = None
-    fields: tuple[Path_, ...] = ()
+    fields: Annotated[tuple[Path_, ...], AfterValidator(_is_body)] = ()
     unit: Literal["m", "mm"] = "m"
     angles: Literal["rad", "deg"] = "rad"
 
@@ -112,10 +119,10 @@ def import_bag(
         told.append(f"without a robot file the joints are taken to be in {units[0]}")
     if names:
         told.insert(0, f"joints 1 to {len(names)} are {', '.join(names)}")
-    scaled = Samples(q.name, q.time, q.values * _joint_scales(said.joints.unit, units))
-    body = _scaled(y.values, said.readings) if said.readings.fields else y.values
-    joined = join(scaled, Samples(y.name, y.time + offset_s, body), moving=moving, path=path)
     told = [f"joints from {of_joints}, readings from {of_readings}", *told, *more]
+    q = replace(q, values=q.values * _joint_scales(said.joints.unit, units))
+    body = y.values * _body_scales(said.readings)[: y.values.shape[1]] if said.readings.fields else y.values
+    joined = join(q, Samples(y.name, y.time + offset_s, body), moving=moving, path=path)
     return write_import(imported(joined, units, machine, path, tuple(told)), output)
 
 
@@ -204,12 +211,12 @@ def _part(message: Any, path: str) -> Any:
 def _body(message: Any) -> list[float]:
     """Return x, y, z [mm] of a stamped message, and the rotation vector [rad] of a pose or a transform."""
     if hasattr(message, "point"):
-        return [1000.0 * getattr(message.point, axis) for axis in "xyz"]
+        return [M * getattr(message.point, axis) for axis in "xyz"]
     if hasattr(message, "pose"):
         place, turn = message.pose.position, message.pose.orientation
     else:
         place, turn = message.transform.translation, message.transform.rotation
-    xyz = [1000.0 * getattr(place, axis) for axis in "xyz"]
+    xyz = [M * getattr(place, axis) for axis in "xyz"]
     return [*xyz, *rotation_vector(np.array([[getattr(turn, axis) for axis in "xyzw"]]))[0]]
 
 
@@ -218,19 +225,13 @@ def _body(message: Any) -> list[float]:
 
 def _joint_scales(unit: str, inside: Sequence[str]) -> Array:
     """Return by what recorded joints are multiplied: ROS counts those that turn in rad, those that slide in m."""
-    turned = SCALES[unit] if unit in ("rad", "deg") else 1.0
-    slid = SCALES[unit] if unit in ("m", "mm") else SCALES["m"]
+    turned, slid = DEG if unit == "deg" else 1.0, 1.0 if unit == "mm" else M
     return np.array([turned if u == "rad" else slid for u in inside])
 
 
-def _scaled(values: Array, said: ReadingMap) -> Array:
-    if values.shape[1] not in (3, 6):
-        raise ValueOutOfRange(
-            f"[readings] fields of the mapping names {values.shape[1]} parts; three or six were expected."
-        )
-    out = values * SCALES[said.unit]
-    out[:, 3:] = values[:, 3:] * SCALES[said.angles]
-    return out
+def _body_scales(said: ReadingMap) -> Array:
+    """Return by what x, y, z and a rotation vector are multiplied that a mapping names."""
+    return np.repeat([M if said.unit == "m" else 1.0, DEG if said.angles == "deg" else 1.0], 3)
 
 
 # ------------------------------------------------------------------------------------------------------------ formats

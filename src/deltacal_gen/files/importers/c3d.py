@@ -8,15 +8,15 @@ from __future__ import annotations
 
 import csv
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
-from deltacal_gen.errors import FileFormat, FileNotReadable, ImportUnclear, NotInstalled
+from deltacal_gen.errors import FileFormat, FileNotReadable, ImportUnclear, NotInstalled, listed, naming
 from deltacal_gen.files.dialect import length_mm, text_of
 from deltacal_gen.files.imported import Imported, robot_with, write_import
 from deltacal_gen.files.lists import joints_in_time
-from deltacal_gen.files.naming import listed, naming
 from deltacal_gen.files.quaternions import rotation_vector
 from deltacal_gen.files.rows import Rows, number_of
 from deltacal_gen.files.samples import Samples, imported, join
@@ -66,8 +66,7 @@ def import_c3d(
         captured = _c3d(path) if path.suffix.lower() == ".c3d" else _table(path)
         name = _chosen(captured, readings)
     time, q, units = joints_in_time(Path(joints))
-    seen = captured[name]
-    seen = Samples(seen.name, seen.time + offset_s, seen.values)
+    seen = replace(captured[name], time=captured[name].time + offset_s)
     joined = join(Samples(str(joints), time, q), seen, moving=moving, path=path)
     machine, own = robot_with(robot, q.shape[1], Path(joints))
     return write_import(imported(joined, own or units, machine, path, (f"readings of {name}",)), output)

@@ -19,10 +19,9 @@ from typing import Any
 
 import numpy as np
 
-from deltacal_gen.errors import InputError, PrinterFile
+from deltacal_gen.errors import InputError, PrinterFile, naming
 from deltacal_gen.files import printers
 from deltacal_gen.files.imported import Imported, beginning, write_import
-from deltacal_gen.files.naming import naming
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.files.toml import read_text
 from deltacal_gen.machine.registry import Array

@@ -13,9 +13,8 @@ from pathlib import Path
 
 import numpy as np
 
-from deltacal_gen.errors import PrinterFile
+from deltacal_gen.errors import PrinterFile, naming
 from deltacal_gen.files.imported import Imported, write_import
-from deltacal_gen.files.naming import naming
 from deltacal_gen.files.printers import check_delta, doubt_arms, from_codes
 from deltacal_gen.files.toml import read_text
 from deltacal_gen.machine.registry import Array

@@ -13,11 +13,10 @@ from pathlib import Path
 
 import numpy as np
 
-from deltacal_gen.errors import ImportUnclear
+from deltacal_gen.errors import ImportUnclear, listed
 from deltacal_gen.files.columns import JOINT
 from deltacal_gen.files.imported import Imported, recorded, robot_with, write_import
 from deltacal_gen.files.lists import GROUP, POINT, is_table_of_joints, joints_of, points_of, read_list
-from deltacal_gen.files.naming import listed
 from deltacal_gen.files.rows import Rows
 from deltacal_gen.instrument.kinds import POINTS
 from deltacal_gen.machine.registry import Array

@@ -15,9 +15,8 @@ from typing import Any
 
 import numpy as np
 
-from deltacal_gen.errors import UnknownName, UnusableURDF
+from deltacal_gen.errors import UnknownName, UnusableURDF, naming
 from deltacal_gen.files.imported import Imported, write_import
-from deltacal_gen.files.naming import naming
 from deltacal_gen.files.robot import robot_from_dict
 from deltacal_gen.files.toml import toml_text
 from deltacal_gen.files.urdf_tree import MM, SLIDING, TURNING, Body, Joint, Tree
