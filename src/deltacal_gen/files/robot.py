@@ -23,7 +23,7 @@ from deltacal_gen.files.toml import NonNegative, Number, Positive, Raw, Table, T
 from deltacal_gen.machine.registry import GeometryKey, Machine, described, load_mechanism, mechanism_of
 from deltacal_gen.machine.values import Link, Masses, Robot, Transmission, Workspace
 from deltacal_gen.results.parts import RobotTables
-from deltacal_gen.units import file_unit, joint_factors, of_joints, to_file, to_internal
+from deltacal_gen.units import file_unit, joint_factors, to_file, to_internal
 
 TABLES = (".csv", ".parquet", ".xlsx", ".txt")  # endings of recordings
 SHORTEST_MACHINE = 2.0  # mm; a machine whose longest length is below this was written down in metres
@@ -107,9 +107,9 @@ def robot_to_dict(robot: Robot) -> dict[str, Any]:
             tables[name] = {key: value for key, value in said.items() if value is not None}
     tables["joints"] = {"sign": [int(sign) for sign in robot.joint_sign]}
     if robot.joint_limits is not None:
-        joints = zip(robot.joint_limits, of_joints(mechanism.joint_unit, mechanism.limbs), strict=True)
+        joints = zip(robot.joint_limits, mechanism.joint_units, strict=True)
         limits = [[to_file(value, unit) for value in pair] for pair, unit in joints]
-        tables["joints"][_limits_key(mechanism)] = limits
+        tables["joints"][limits_key(mechanism.joint_units)] = limits
     if robot.links:
         tables["joint"] = [_joint_table(robot, k) for k in range(len(robot.links))]
     for key in () if mechanism.linked else mechanism.geometry:
@@ -251,7 +251,7 @@ def _robot(file: TomlFile) -> Robot:
         missing = key.default if key.default is not None else (np.nan,) * (mechanism.limbs if key.per_limb else 1)
         internal = missing if value is None else np.multiply(value, to_internal(key.unit))
         geometry[key.key] = np.atleast_1d(np.asarray(internal, dtype=float))
-    limits = tables["joints"][_limits_key(mechanism)]
+    limits = tables["joints"][limits_key(mechanism.joint_units)]
     factors = np.array(joint_factors(mechanism.joint_unit, mechanism.limbs))
     units = {parameter.name: parameter.unit for parameter in mechanism.parameters}
     errors, tolerance = (
@@ -315,7 +315,7 @@ def _schema(mechanism: Machine, drawn: bool = True) -> Any:
     geometry: dict[str, Any] = {"tool": (Vector, (0.0, 0.0, 0.0))}
     joints: dict[str, Any] = {
         "sign": (_per_limb(Literal[1, -1], limbs), (1,) * limbs),
-        _limits_key(mechanism): (_list(_Interval, limbs), None),
+        limits_key(mechanism.joint_units): (_list(_Interval, limbs), None),
     }
     for key in keys:
         fields = geometry if key.table == "geometry" else joints
@@ -364,10 +364,10 @@ def _value_type(key: GeometryKey, limbs: int) -> Any:
     return item if key.default is None or len(key.default) == 1 else _list(item, len(key.default))
 
 
-def _limits_key(mechanism: Machine) -> str:
-    """Return ``limits_deg`` or ``limits_mm``; of a chain with both kinds of joints ``limits``, each in its own unit."""
-    units = set(of_joints(mechanism.joint_unit, mechanism.limbs))
-    return f"limits_{file_unit(units.pop())}" if len(units) == 1 else "limits"
+def limits_key(units: Iterable[str]) -> str:
+    """Return ``limits_deg`` or ``limits_mm``; of joints of both kinds ``limits``, each in its own unit."""
+    known = {*map(file_unit, units)}
+    return f"limits_{known.pop()}" if len(known) == 1 else "limits"
 
 
 def _check_scale(file: TomlFile, mechanism: Machine, tables: Mapping[str, Mapping[str, Any]]) -> None:

@@ -17,13 +17,13 @@ import numpy as np
 
 from deltacal_gen.errors import UnknownName, UnusableURDF, naming
 from deltacal_gen.files.imported import Imported, write_import
-from deltacal_gen.files.robot import robot_from_dict
+from deltacal_gen.files.robot import limits_key, robot_from_dict
 from deltacal_gen.files.toml import toml_text
 from deltacal_gen.files.urdf_tree import MM, SLIDING, TURNING, Body, Joint, Tree
 from deltacal_gen.machine.denavit import Row, Rows, rows_of
 from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.machine.values import Robot
-from deltacal_gen.units import file_unit, joint_names, of_joints, to_file
+from deltacal_gen.units import file_unit, to_file
 
 ENDLESS = 2 * np.pi  # rad to either side: limits that are written for a joint that has none
 MANY_TURNS = 10 * ENDLESS  # rad: limits farther off may be degrees
@@ -112,19 +112,16 @@ class _Chain:
         at = [(f, j.axis) for f, j in zip(self.frames[1:], self.joints, strict=True) if j.moves]
         return np.array([f[:3, 3] for f, _ in at]), np.array([f[:3, :3] @ axis for f, axis in at])
 
-    def values(self, q: Array) -> dict[str, Array]:
-        """Return the values (N,) of all moving joints by those that are read (N, n) [rad or mm]."""
-        found = {joint.name: q[:, k] for k, joint in enumerate(self.read)}
-        for joint in self.moving:
+    def moved(self, q: Array) -> Iterator[tuple[Joint, Array]]:
+        """Yield the joints with the frames (N, 4, 4) of their child links, in the base's [mm].
+
+        Those that are read stand at values (N, n) [rad or mm].
+        """
+        frame, values = np.tile(self.start, (len(q), 1, 1)), {j.name: q[:, k] for k, j in enumerate(self.read)}
+        for joint in self.joints:
             if joint.mimics is not None:
                 other, much, offset = joint.mimics
-                found[joint.name] = much * found[other] + offset
-        return found
-
-    def moved(self, q: Array) -> Iterator[tuple[Joint, Array]]:
-        """Yield the joints with the frames (N, 4, 4) of their child links, in the base's [mm]."""
-        frame, values = np.tile(self.start, (len(q), 1, 1)), self.values(q)
-        for joint in self.joints:
+                values[joint.name] = much * values[other] + offset
             frame = frame @ joint.moved(values.get(joint.name, np.zeros(len(q))))
             yield joint, frame
 
@@ -265,33 +262,36 @@ def _length(chain: _Chain) -> float:
 
 def _tables(chain: _Chain, rows: Rows) -> tuple[dict[str, Any], tuple[str, ...]]:
     """Return the tables of the robot file, and what a user should know."""
-    warnings = list[str]()
-    joints = list[dict[str, Any]]()
-    errors = dict[str, float]()
-    before = 0 if rows.base == Row() else 1
+    warnings, joints = list[str](), list[dict[str, Any]]()
+    before = int(rows.base != Row())
+    number = {joint.name: k for k, joint in enumerate(chain.moving)}
     behind = [frame for joint, frame in zip(chain.joints, chain.frames[1:], strict=True) if joint.moves]
     for k, (joint, row) in enumerate(zip(chain.moving, rows.joints, strict=True)):
-        much, offset = 1.0, 0.0
         table: dict[str, Any] = {"kind": "prismatic" if joint.kind in SLIDING else "revolute"}
+        offset = 0.0
         if joint.mimics is not None:
             other, much, offset = joint.mimics
-            first = next(i for i, j in enumerate(chain.moving) if j.name == other)
-            much *= float(rows.sign[k] * rows.sign[first])
-            table = {"kind": "coupled", "coupling": {str(first + 1 + before): much}}
-        joints.append(table | _drawn(row, float(rows.sign[k]) * offset))
+            much *= float(rows.sign[k] * rows.sign[number[other]])
+            table = {"kind": "coupled", "coupling": {str(number[other] + 1 + before): much}}
+        table |= _drawn(row, float(rows.sign[k]) * offset)
         if (body := chain.body(joint)) is not None:
             seen = body.seen(np.linalg.inv(rows.frames[k]) @ behind[k])
-            joints[-1] |= _weighs(seen)
-            if "inertia" not in joints[-1] and seen.inertia.any():
+            table |= _weighs(seen)
+            if "inertia" not in table and seen.inertia.any():
                 warnings.append(
                     f"the inertia behind joint '{joint.name}' is none that a body can have; it is left out."
                 )
+        joints.append(table)
     if before:
         joints.insert(0, {"kind": "fixed"} | _drawn(rows.base))
     if rows.end != Row():
         joints.append({"kind": "fixed"} | _drawn(rows.end))
-    for k, row in enumerate((rows.base, *rows.joints) if before else rows.joints, start=1):
-        errors |= {f"{key}_{k}": to_file(v, "rad") for key, v in (("alpha", row.tilt), ("beta", row.beta)) if v}
+    errors = {
+        f"{key}_{k}": to_file(value, "rad")
+        for k, row in enumerate((rows.base, *rows.joints), start=before)
+        for key, value in (("alpha", row.tilt), ("beta", row.beta))
+        if value
+    }
     tables: dict[str, Any] = {
         "robot": {"name": chain.tree.name, "mechanism": "serial"},
         "joints": {"sign": [int(s) for s, joint in zip(rows.sign, chain.moving, strict=True) if joint in chain.read]},
@@ -326,13 +326,11 @@ def _weighs(body: Body) -> dict[str, Any]:
 
 def _limits(chain: _Chain, tables: dict[str, Any]) -> list[str]:
     """Add limits and speeds of the joints to the tables; return what a user should know."""
-    units = ["mm" if joint.kind in SLIDING else "rad" for joint in chain.read]
-    unit, n = ",".join(units) if len(set(units)) > 1 else units[0], len(units)
-    names = joint_names(unit, n, "qd{i}_{unit}_s")
+    read = [(joint, "mm" if joint.kind in SLIDING else "rad") for joint in chain.read]
     speeds = {
-        name: [-s, s]
-        for name, joint, u in zip(names, chain.read, units, strict=True)
-        if (s := round(to_file(joint.speed or 0.0, u), 9)) > 0
+        f"qd{k}_{file_unit(unit)}_s": [-speed, speed]
+        for k, (joint, unit) in enumerate(read, start=1)
+        if (speed := round(to_file(joint.speed or 0.0, unit), 9)) > 0
     }
     if speeds:
         tables["limits"] = speeds
@@ -340,10 +338,8 @@ def _limits(chain: _Chain, tables: dict[str, Any]) -> list[str]:
     listed = ", ".join(joint.name for joint in without)
     if any(joint.kind in SLIDING for joint in without):
         return [f"joints without limits: {listed}. As one slides, robot.toml has none at all; add limits to [joints]."]
-    key = f"limits_{file_unit(units[0])}" if len(set(of_joints(unit, n))) == 1 else "limits"
-    tables["joints"][key] = [
-        [round(to_file(v, u), 9) for v in joint.limits or (-ENDLESS, ENDLESS)]
-        for joint, u in zip(chain.read, units, strict=True)
+    tables["joints"][limits_key(unit for _, unit in read)] = [
+        [round(to_file(v, unit), 9) for v in joint.limits or (-ENDLESS, ENDLESS)] for joint, unit in read
     ]
     found = [f"joints without limits: {listed}. A turn to either side is written; say what holds."] if without else []
     turning = [joint for joint in chain.read if joint.limits is not None and joint.kind in TURNING]
