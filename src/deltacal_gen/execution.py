@@ -20,8 +20,8 @@ from typing import Any, NamedTuple
 
 import deltacal_kernels
 
-from deltacal_gen.errors import Cluster, DeltacalError, FileNotWritable, MissingLibrary
-from deltacal_gen.files.writing import write_files
+from deltacal_gen.errors import Cluster, DeltacalError, MissingLibrary
+from deltacal_gen.files.writing import make_folder, write_files
 from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.results.base import Json
 
@@ -86,12 +86,7 @@ class Store:
 
     def __init__(self, directory: Path) -> None:
         self.folder = directory / "tasks"  # and in it 256 folders: 10^5 files in one are slow on network drives
-        try:
-            self.folder.mkdir(parents=True, exist_ok=True)
-        except OSError as error:
-            raise FileNotWritable(
-                f"cannot be made: {error.strerror}.", "Choose another folder.", file=directory
-            ) from None
+        make_folder(self.folder)
 
     def get(self, key: str, label: str = "") -> Outcome | None:
         """Return the outcome of a task that was done, or None."""

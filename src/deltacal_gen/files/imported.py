@@ -9,10 +9,10 @@ from typing import Any
 
 import numpy as np
 
-from deltacal_gen.errors import FileNotWritable, OtherMachine
+from deltacal_gen.errors import OtherMachine
 from deltacal_gen.files.columns import ONE_SETUP
 from deltacal_gen.files.robot import Robot, read_robot, robot_to_toml
-from deltacal_gen.files.writing import write_files, write_recording
+from deltacal_gen.files.writing import make_folder, write_files, write_recording
 from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.machine.values import Measurement, Recording
 
@@ -35,12 +35,7 @@ def write_import(found: Imported, output: str | Path | None, robot: str | None =
     """
     if output is not None:
         folder = Path(output)
-        try:
-            folder.mkdir(parents=True, exist_ok=True)
-        except OSError as error:
-            raise FileNotWritable(
-                f"the folder cannot be made: {error.strerror}.", "Choose another.", file=folder
-            ) from None
+        make_folder(folder)
         if found.robot is not None:
             write_files({folder / "robot.toml": robot or robot_to_toml(found.robot)})
         for name, recording in found.recordings.items():

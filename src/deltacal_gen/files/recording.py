@@ -32,14 +32,13 @@ from deltacal_gen.files.columns import (
 from deltacal_gen.files.dialect import LOOKED_AT
 from deltacal_gen.files.frames import rows_of
 from deltacal_gen.files.logged import put_right
-from deltacal_gen.files.quaternions import with_vectors
 from deltacal_gen.files.rows import Rows, number_of, read_csv, read_table
 from deltacal_gen.files.sidecar import Sidecar, measurement_of, read_sidecar
 from deltacal_gen.instrument import kinds
 from deltacal_gen.instrument.kind import Kind
 from deltacal_gen.instrument.kinds import PAIRS, POINTS, kind_of
 from deltacal_gen.machine.machine import POSE
-from deltacal_gen.machine.rotation import from_turns, from_vector, to_vector
+from deltacal_gen.machine.rotation import from_turns, from_vector, to_vector, vector_of_quaternion
 from deltacal_gen.machine.values import POSITION, ROTATION, Recording
 from deltacal_gen.results.reader import TORQUE
 from deltacal_gen.states import of_column
@@ -50,6 +49,8 @@ if TYPE_CHECKING:
     from deltacal_gen.results.parts import InstrumentState
 
 NO_TURN = 1e-9  # rad: what is left of a turn of zero after somebody's arithmetic
+QUATERNION = 0.01  # by which one may be longer or shorter than 1: it was rounded
+_QUATERNION = re.compile(r"(?P<of>(?:.*[._ ])?(?:q|quat|quaternion|orientation|rotation|rot))[._ ]?(?P<axis>[xyzw])")
 _JOINT_LIKE = re.compile(r"q\d", re.IGNORECASE)  # meant as joints, though perhaps misspelt
 _JOINT_OF_END = re.compile(r"q\d+[ab]_(deg|mm|rad)")
 _END = re.compile(r"(?P<stem>.+?)_?(?P<end>[ab])(?P<unit>(_[A-Za-z]+\d?)*)")  # q1a_deg, payload_a_kg, approach1b
@@ -120,7 +121,7 @@ def recording_of_rows(
     """Return a table that has been read as a recording; see `read_recording`."""
     path, measurement = rows.path, measurement_of(sidecar)
     pairs, rows = _pairs_and_rows(path, rows)
-    rows, targets = with_vectors(rows, measurement.rotation, mechanism.axes), None
+    rows, targets = _from_quaternions(rows, measurement.rotation, mechanism.axes), None
     axes = tuple(f"{axis}_mm" for axis in mechanism.axes)
     if allow_targets and not any(map(_JOINT_LIKE.match, rows.columns)) and set(axes) & set(rows.columns):
         targets, rows = targets_of(rows, mechanism, measurement.rotation)
@@ -168,6 +169,55 @@ def recording_of_rows(
     if need_measured and not _is_measured(recording):
         raise NoReadings("no row holds a reading.", f"Fill in {', '.join(recording.columns)}.", file=path)
     return recording
+
+
+def _from_quaternions(rows: Rows, order: str, axes: Sequence[str]) -> Rows:
+    """Return rows of positions in space with rotation vectors for the quaternions beside them; others as they are.
+
+    Parameters
+    ----------
+    rows : Rows
+    order : str
+        ``rotation`` of the sidecar.
+    axes : sequence of str
+        Along which the machine moves.
+
+    Raises
+    ------
+    InputError
+        Numbers that are no quaternion; turns in an order, which these are not.
+    """
+    names = _quaternion_of(rows.columns)
+    placed = len(axes) == len(POSITION) and {*POSITION} <= {*rows.columns}
+    if names is None or not placed or {*ROTATION} & {*rows.columns}:
+        return rows
+    if order != "vector":
+        raise rows.error(
+            f'rotation = "{order}" in the sidecar is an order of turns, but the rotation here is a quaternion.',
+            "Leave the key out: a quaternion needs none.",
+            column=names[0],
+        )
+    read = rows.numbers(*names)
+    lengths = np.linalg.norm(read, axis=1)
+    rows.refuse(
+        np.abs(lengths - 1) > QUATERNION,
+        lambda k: f"{', '.join(names)} are no rotation: a quaternion has the length 1, this one {lengths[k]:.4g}.",
+        "Correct the row, or blank its rotation; where these columns are something else, rename them.",
+        column=names[0],
+    )
+    vectors = (vector_of_quaternion(read) / DEG).T.tolist()
+    told = {name: ["" if v != v else repr(v) for v in own] for name, own in zip(ROTATION, vectors, strict=True)}
+    return dataclasses.replace(rows, columns=rows.without(names).columns | told)
+
+
+def _quaternion_of(columns: Iterable[str]) -> tuple[str, ...] | None:
+    """Return which columns are x, y, z, w of a quaternion; None where there is none, or more than one."""
+    found: dict[str, dict[str, str]] = {}
+    for name in columns:
+        if (part := _QUATERNION.fullmatch(name.lower())) is not None:
+            found.setdefault(part["of"], {})[part["axis"]] = name
+    whole = [own for own in found.values() if len(own) == len("xyzw")]
+    return tuple(whole[0][axis] for axis in "xyzw") if len(whole) == 1 else None
 
 
 def _with_vectors(recording: Recording) -> Recording:

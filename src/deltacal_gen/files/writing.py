@@ -112,6 +112,14 @@ def write_files(files: Mapping[Path, str | bytes]) -> None:
             parts[path].write_bytes(content if isinstance(content, bytes) else content.encode())
 
 
+def make_folder(path: Path) -> None:
+    """Make a folder, and those that it is in; raises InputError where it cannot be made."""
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise FileNotWritable(f"the folder cannot be made: {error.strerror}.", "Choose another.", file=path) from None
+
+
 @contextmanager
 def staging(paths: Iterable[Path]) -> Iterator[dict[Path, Path]]:
     """Yield where to write each of the files; they appear, all of them, when the block has ended well.

@@ -5,6 +5,7 @@ SciPy's rotations take a quarter of a second to import, which a calibration from
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -18,34 +19,12 @@ def about_z(radius: Array | float, turn: Array) -> Array:
     return np.stack([radius * np.cos(turn), radius * np.sin(turn)], axis=-1)
 
 
-def cayley_matrix(c: Array) -> Array:
-    """Return rotations (N, 3, 3) by Cayley vectors (N, 3), ``c = 2 tan(t/2) n``: the map of the generated kernels."""
-    matrix: Array = rotations.matrix(c)
-    return matrix
-
-
-def cayley_vector(matrix: Array) -> Array:
-    """Return Cayley vectors (N, 3) of rotations (N, 3, 3) by less than half a turn."""
-    vector: Array = rotations.vector(matrix)
-    return vector
-
-
-def spin(c: Array) -> Array:
-    """Return how changes of Cayley vectors (N, 3) turn a body about the axes of {O}: (N, 3, 3), a column for each."""
-    by_change: Array = rotations.spin(c)
-    return by_change
-
-
-def swept(points: Array) -> Array:
-    """Return how points (N, 3) move by turns about the axes of {O}, (N, 3, 3): a column for each axis."""
-    motion: Array = rotations.swept(points)
-    return motion
-
-
-def aim(lines: Array) -> Array:
-    """Return the turns about z, then x, that bring the axis y along lines (N, 3): (N, 2) [rad]."""
-    turns: Array = rotations.aim(lines)
-    return turns
+# of the generated kernels: vectors are Cayley's, c = 2 tan(t/2) n, those of turns by less than half a turn
+cayley_matrix: Callable[[Array], Array] = rotations.matrix  # rotations (N, 3, 3) by vectors (N, 3)
+cayley_vector: Callable[[Array], Array] = rotations.vector  # vectors (N, 3) of rotations (N, 3, 3)
+spin: Callable[[Array], Array] = rotations.spin  # how changes of vectors (N, 3) turn a body about the axes of {O}
+swept: Callable[[Array], Array] = rotations.swept  # how points (N, 3) move by turns about the axes of {O}, (N, 3, 3)
+aim: Callable[[Array], Array] = rotations.aim  # turns about z, then x, that bring y along lines (N, 3): (N, 2) [rad]
 
 
 def from_vector(vector: Array) -> Array:
@@ -81,6 +60,17 @@ def to_vector(matrix: Array) -> Array:
 
         vector[half] = Rotation.from_matrix(matrix[half]).as_rotvec()
     return vector
+
+
+def vector_of_quaternion(quaternions: Array) -> Array:
+    """Return rotation vectors (N, 3) [rad] of quaternions (N, 4), x y z w; nan where one has no length."""
+    from scipy.spatial.transform import Rotation
+
+    out = np.full((len(quaternions), 3), np.nan)
+    turned = np.linalg.norm(quaternions, axis=1) > 0  # false where there are no numbers
+    if turned.any():
+        out[turned] = Rotation.from_quat(quaternions[turned]).as_rotvec()
+    return out
 
 
 def mean(matrices: Array) -> Array:

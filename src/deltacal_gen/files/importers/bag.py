@@ -19,10 +19,10 @@ from pydantic import AfterValidator, Field
 
 from deltacal_gen.errors import DeltacalError, FileNotReadable, ImportUnclear, NotInstalled, listed, naming
 from deltacal_gen.files.imported import Imported, robot_with, write_import
-from deltacal_gen.files.quaternions import rotation_vector
 from deltacal_gen.files.samples import Samples, imported, join
 from deltacal_gen.files.toml import Table, TomlFile
 from deltacal_gen.machine.registry import Array
+from deltacal_gen.machine.rotation import vector_of_quaternion
 from deltacal_gen.units import DEG
 
 M = 1000.0  # mm
@@ -217,7 +217,7 @@ def _body(message: Any) -> list[float]:
     else:
         place, turn = message.transform.translation, message.transform.rotation
     xyz = [M * getattr(place, axis) for axis in "xyz"]
-    return [*xyz, *rotation_vector(np.array([[getattr(turn, axis) for axis in "xyzw"]]))[0]]
+    return [*xyz, *vector_of_quaternion(np.array([[getattr(turn, axis) for axis in "xyzw"]]))[0]]
 
 
 # ------------------------------------------------------------------------------------------------------------- units

@@ -17,9 +17,9 @@ from deltacal_gen.errors import FileFormat, FileNotReadable, ImportUnclear, NotI
 from deltacal_gen.files.dialect import length_mm, text_of
 from deltacal_gen.files.imported import Imported, robot_with, write_import
 from deltacal_gen.files.lists import joints_in_time
-from deltacal_gen.files.quaternions import rotation_vector
 from deltacal_gen.files.rows import Rows, number_of
 from deltacal_gen.files.samples import Samples, imported, join
+from deltacal_gen.machine.rotation import vector_of_quaternion
 
 Captured = Mapping[str, Samples]  # by the name of a marker or a body
 FEW = 8  # names that a message lists
@@ -134,7 +134,7 @@ def _motive(path: Path, rows: Sequence[Sequence[str]], head: int) -> Captured:
         if {*place} <= {*table.columns}:
             body = table.numbers(*place) * scale
             if quaternions and {*turn} <= {*table.columns}:
-                body = np.hstack([body, rotation_vector(table.numbers(*turn))])
+                body = np.hstack([body, vector_of_quaternion(table.numbers(*turn))])
             out[name] = Samples(name, time, body)
     return out
 
