@@ -1,14 +1,14 @@
-"""What machines answer with: sensitivities and loads, in arrays of their own or in the caller's.
+"""What machines are asked and answer with: sensitivities and loads, in arrays of their own or in the caller's.
 
 Inside: mm, rad, kg, s, N.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 import numpy as np
 
@@ -81,6 +81,38 @@ class Sensitivity:
             joints=led(self.joints),
             whole=None if self.whole is None else led(self.whole),
         )
+
+
+class Standing(Protocol):
+    """A machine as it stands, moved by effects or not: poses, joints, tools and rows as `Machine.forward` has them."""
+
+    @property
+    def x(self) -> Array:
+        """Poses (N, 12): position [mm] and rotation matrix of the platform, row by row."""
+
+    @property
+    def q(self) -> Array:
+        """Joints (N, n_q) [rad or mm]."""
+
+    @property
+    def tool(self) -> Array:
+        """Reference point (3,) or (N, 3) in {O'} [mm]."""
+
+    @property
+    def rows(self) -> Array:
+        """Rows of parameters that the kernels read, (M, limbs or links, n)."""
+
+
+Reach = Callable[[Array, np.ndarray], tuple[Standing, np.ndarray]]  # see `Machine.follow`
+
+
+class Weights(NamedTuple):
+    """What `Machine.loads` is asked for: see there."""
+
+    masses: Mapping[str, float]
+    fields: Array
+    payload: Array
+    limbs: Sequence[int]
 
 
 class Loads(NamedTuple):

@@ -16,18 +16,9 @@ from typing import Any
 import numpy as np
 
 from deltacal_gen.errors import NotForThisMachine, OptionNotApplicable
-from deltacal_gen.machine.answers import Loads, Sensitivity, filled, result
+from deltacal_gen.machine.answers import Reach, Sensitivity, Weights, filled, result
 from deltacal_gen.machine.flexible import DEFLECTIONS, NO_LINE, Flexible
-from deltacal_gen.machine.machine import (
-    COORDINATES,
-    POSE,
-    SOLVED,
-    UNREACHABLE,
-    GeometryKey,
-    Machine,
-    Parameter,
-    Reach,
-)
+from deltacal_gen.machine.machine import COORDINATES, POSE, SOLVED, UNREACHABLE, GeometryKey, Machine, Parameter
 from deltacal_gen.machine.rotation import Array
 from deltacal_gen.machine.values import Link, Robot
 
@@ -485,25 +476,13 @@ class Chain(Machine):
 
     # ------------------------------------------------------------------------------------------------------- loads
 
-    def loads(
-        self,
-        x: Array,
-        q: Array,
-        tool: Array,
-        rows: Array,
-        masses: Mapping[str, float],
-        fields: Array,
-        payload: Array | float = 0.0,
-        limbs: Sequence[int] = (),
-        *,
-        out: Sequence[Array] | None = None,
-    ) -> Loads:
+    def _loads(self, x: Array, q: Array, tool: Array, rows: Array, given: Weights) -> tuple[Array, ...]:
         """Return what the links' weights and the payload exert on the joints, by virtual work.
 
         `masses` is read for whether there are any: an empty mapping asks for the payload alone. What a link weighs
         itself pulls others along their deflections, not its own.
         """
-        q = self._poses(q, self.limbs, "joints")
+        masses, fields, payload, limbs = given
         every = np.asarray(fields, dtype=float).reshape(len(q) if np.ndim(fields) == 3 else 1, -1, 3).transpose(1, 2, 0)
         points = np.concatenate([self._centres(q, rows), x[:, :3].T[None]])
         laid, chain, bears = None, self, np.arange(len(self.links))
@@ -513,7 +492,7 @@ class Chain(Machine):
         weights = [link.mass if masses else 0.0 for link in self.links]
         forces = np.zeros((len(self.links) + 1, 3, len(q)))
         forces[:-1] = np.array(weights)[:, None, None] * every[: len(self.links)]
-        forces[-1] = np.broadcast_to(np.asarray(payload, dtype=float), len(q)) * every[-1]
+        forces[-1] = payload * every[-1]
         torque, moment = np.empty(q.shape), np.empty((len(q), 3))
         along = np.empty((len(q), len(chain.links), len(self.errors)))
         kernels = self._kernels(len(q))
@@ -523,7 +502,7 @@ class Chain(Machine):
         if laid is not None:
             tables, errors = np.moveaxis(laid.deflections, -1, 0)
             pull[:, list(joints)] = along[:, tables, errors]
-        return Loads.written(out, torque, pull, np.zeros((len(q), self.limbs, 1)), moment)
+        return torque, pull, np.zeros((len(q), self.limbs, 1)), moment
 
     def weights_at(
         self, x: Array, q: Array, tool: Array, rows: Array, masses: Mapping[str, float], *, out: Array | None = None

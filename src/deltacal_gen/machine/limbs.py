@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from deltacal_gen.errors import OptionNotApplicable
-from deltacal_gen.machine.answers import Loads, Sensitivity, filled, result
+from deltacal_gen.machine.answers import Reach, Sensitivity, Weights, filled, result
 from deltacal_gen.machine.backend import RowFunctions, row_functions
 from deltacal_gen.machine.machine import (
     COORDINATES,
@@ -27,7 +27,6 @@ from deltacal_gen.machine.machine import (
     GeometryKey,
     Machine,
     Parameter,
-    Reach,
 )
 from deltacal_gen.machine.rotation import Array, cayley_matrix, cayley_vector
 from deltacal_gen.results.places import part_named
@@ -460,24 +459,11 @@ class Limbs(Machine):
         out[:, self._at] = derivatives
         return out
 
-    def loads(
-        self,
-        x: Array,
-        q: Array,
-        tool: Array,
-        rows: Array,
-        masses: Mapping[str, float],
-        fields: Array,
-        payload: Array | float = 0.0,
-        limbs: Sequence[int] = (),
-        *,
-        out: Sequence[Array] | None = None,
-    ) -> Loads:
+    def _loads(self, x: Array, q: Array, tool: Array, rows: Array, given: Weights) -> tuple[Array, ...]:
         """Return what weights exert in the machine, by virtual work on the closure."""
-        q, tool = self._poses(q, self.limbs, "joints"), self._tool(tool, len(x))
+        tool, weights = self._tool(tool, len(x)), self._masses(given.masses)
         _, J_x, J_q, J_p = self.jacobians(x, q, tool, rows)
-        weights, payload = self._masses(masses), np.broadcast_to(np.asarray(payload, dtype=float), len(x))
-        W_q, W_x, moment = self._exerted(self._own(x), q, tool, rows, weights, payload, fields)
+        W_q, W_x, moment = self._exerted(self._own(x), q, tool, rows, weights, given.payload, given.fields)
         multipliers = -_solved(np.swapaxes(J_x, 1, 2), W_x)
         per_limb = multipliers.reshape(len(x), self.limbs, -1)
         J_limb = J_p.reshape(*per_limb.shape, -1)
@@ -485,13 +471,8 @@ class Limbs(Machine):
         first = J_limb.shape[3] - len(self.deflections)
         rods = [self.column(rod) - len(self.geometry) for rod in self._tables.RODS]
         along = J_limb[..., rods].sum(axis=3)  # a closure knows its own rod only
-        return Loads.written(
-            out,
-            W_q + exerted,
-            (J_limb[..., first:] * per_limb[..., None]).sum(axis=2),
-            along * per_limb / self._tables.RODS_PER_CLOSURE,
-            moment,
-        )
+        pull = (J_limb[..., first:] * per_limb[..., None]).sum(axis=2)
+        return W_q + exerted, pull, along * per_limb / self._tables.RODS_PER_CLOSURE, moment
 
     def weights_at(
         self, x: Array, q: Array, tool: Array, rows: Array, masses: Mapping[str, float], *, out: Array | None = None

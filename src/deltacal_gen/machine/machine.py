@@ -8,16 +8,16 @@ from __future__ import annotations
 
 import importlib
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from types import ModuleType
-from typing import TYPE_CHECKING, NamedTuple, Protocol
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from deltacal_gen.errors import NotForThisMachine, UnknownModel, UsageError, WrongArray
 from deltacal_gen.machine import backend
-from deltacal_gen.machine.answers import Loads, Sensitivity, filled
+from deltacal_gen.machine.answers import Loads, Reach, Sensitivity, Weights, filled
 from deltacal_gen.machine.backend import Backend
 from deltacal_gen.machine.rotation import Array, to_vector
 from deltacal_gen.units import of_joints
@@ -65,29 +65,6 @@ class Parameter(NamedTuple):
     limb: int
     typical: float
     error: str
-
-
-class Standing(Protocol):
-    """A machine as it stands, moved by effects or not: poses, joints, tools and rows as `Machine.forward` has them."""
-
-    @property
-    def x(self) -> Array:
-        """Poses (N, 12): position [mm] and rotation matrix of the platform, row by row."""
-
-    @property
-    def q(self) -> Array:
-        """Joints (N, n_q) [rad or mm]."""
-
-    @property
-    def tool(self) -> Array:
-        """Reference point (3,) or (N, 3) in {O'} [mm]."""
-
-    @property
-    def rows(self) -> Array:
-        """Rows of parameters that the kernels read, (M, limbs or links, n)."""
-
-
-Reach = Callable[[Array, np.ndarray], tuple[Standing, np.ndarray]]  # see `Machine.follow`
 
 
 class Machine(ABC):
@@ -494,7 +471,6 @@ class Machine(ABC):
 
     # ------------------------------------------------------------------------------------------------------- loads
 
-    @abstractmethod
     def loads(
         self,
         x: Array,
@@ -523,6 +499,12 @@ class Machine(ABC):
         out : sequence of arrays, optional
             Where they are written, as `Loads` has them.
         """
+        q, payload = self._poses(q, self.limbs, "joints"), np.broadcast_to(np.asarray(payload, dtype=float), len(q))
+        return Loads.written(out, *self._loads(x, q, tool, rows, Weights(masses, fields, payload, limbs)))
+
+    @abstractmethod
+    def _loads(self, x: Array, q: Array, tool: Array, rows: Array, given: Weights) -> tuple[Array, ...]:
+        """Return the arrays of `Loads`."""
 
     def torques(
         self,
