@@ -270,7 +270,7 @@ def test_help_is_found_in_every_way(run: Run) -> None:
     assert "Example: deltacal identify" in shown
     code, out, _ = run()
     assert code == 2
-    for group in ("Start", "Calibrate", "Diagnose", "Use", "Printers", "Review"):
+    for group in ("Start", "Calibrate", "Diagnose", "Use", "Import", "Review"):
         assert f" {group} " in out
     assert run("-V") == run("--version")
 

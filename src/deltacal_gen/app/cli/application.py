@@ -21,13 +21,13 @@ from deltacal_gen.errors import OptionMissing, OptionNotApplicable, ValueOutOfRa
 FILES = ("output", "report", "picture", "write_effect")  # parameters that name a file to write
 OUTPUT = Group("Output", sort_key=100)  # options of every command
 SHOWN = {
-    "as_json": ("--json", "Print JSON and nothing else; of an error, too."),
-    "quiet": ("--quiet", "Print nothing but errors."),
-    "verbose": ("--verbose", "Print line by line what is being done, and a fault in full."),
+    "as_json": ("--json", "Print only JSON, of the result or of the error."),
+    "quiet": ("--quiet", "Print only errors."),
+    "verbose": ("--verbose", "Print each step of the work, and the traceback of an internal error."),
 }
-IMPORT = "Make recordings, and a robot file, of what firmware, trackers, ROS or motion capture keep."
-PICTURE, DRAWN = "picture", "Picture of the answer, .svg, .png or .pdf."
-MARK = "Decimal mark of tables, '.' or ',', where it is not certain."
+IMPORT = "Convert files of printer firmware, trackers, ROS, motion capture or URDF into robot files and recordings."
+PICTURE, DRAWN = "picture", "Picture of the result (.svg, .png or .pdf)."
+MARK = "Decimal mark of the tables, '.' or ','; default as each table shows it."
 
 
 def application(words: list[str]) -> App:

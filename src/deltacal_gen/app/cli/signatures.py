@@ -104,13 +104,12 @@ class Signature:
             default = parameter.empty
         elif name.startswith(WAY) or (default is parameter.empty and not always):
             default = None
-        how: dict[str, Any] = {"help": self._help.get(name, "")}
+        how: dict[str, Any] = {"help": self._help.get(name, ""), "show_default": default not in (None, False, ())}
         kind: Any = parameter.POSITIONAL_ONLY
         if parameter.kind is parameter.KEYWORD_ONLY or name == OUTPUT:
             kind = parameter.KEYWORD_ONLY
             how["name"] = [option_of(name), *(["-o"] if name == OUTPUT else [])]
             how["negative"] = None if annotation is bool and default else ()
-            how["show_default"] = default not in (None, False, ())
             how["allow_leading_hyphen"] = annotation is Path  # "-" is the standard output
         if default is None:
             annotation = annotation | None

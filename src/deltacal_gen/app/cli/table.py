@@ -79,7 +79,7 @@ COMMANDS: dict[str, dict[str, Command]] = {  # by their group in the help
     "Diagnose": {
         "diagnose": Command(
             ("diagnose",),
-            flags={"strict": "Exit with 1 unless the verdict is adequate."},
+            flags={"strict": "Exit with 1 unless the verdict is adequate (no model error found)."},
             draws=True,
             negative=_no_effect,
         ),
@@ -94,7 +94,7 @@ COMMANDS: dict[str, dict[str, Command]] = {  # by their group in the help
             ("compensate", "export_compensator", "feed_forward"),
             _compensator,
             ("export", "trajectory"),
-            flags={"trajectory": "TARGETS are samples in time: joints and torques, of a result in motion."},
+            flags={"trajectory": "TARGETS are samples in time: writes joints and drive torques (kind torque)."},
             receipt=receipts.commanded,
         ),
         "validate": Command(("validate",), draws=True),
@@ -102,7 +102,7 @@ COMMANDS: dict[str, dict[str, Command]] = {  # by their group in the help
         "compare": Command(("compare",), draws=True),
         "batch": Command(("batch",)),
     },
-    "Printers": {"import": Command(())},
+    "Import": {"import": Command(())},
     "Review": {
         "derivation": Command(("derivation",)),
         "claims": Command(("claims",), receipt=receipts.claims),

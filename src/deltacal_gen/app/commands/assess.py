@@ -25,16 +25,16 @@ NUMBER = 16  # letters of a hash that stand for the number of a certificate wher
 
 
 def validate(result: Given, recording: AnyRecording, *, report: Source | None = None) -> Validation:
-    """Check a calibrated model against readings that it has not seen.
+    """Check a calibrated model on readings that took no part in the fit: errors against noise, ISO 9283, ISO 230-2.
 
     Parameters
     ----------
     result : path or Result or Diagnosis
         RESULT.json of identify, or DIAGNOSIS.json of diagnose.
     recording : path, data frame or Recording
-        Joints and readings (CSV). A set-up of the instrument that the result does not know is placed by them.
+        Joints and readings (CSV). An instrument set-up that the result does not know is located by these readings.
     report : path, optional
-        Page to read (.html).
+        Report (.html).
 
     Returns
     -------
@@ -85,7 +85,7 @@ def _validated_in_motion(
 def certificate(
     result: Given, validation: AnyRecording, *, about: Source | None = None, output: Source | None = None
 ) -> Certificate:
-    """Certify a calibrated machine: errors before and after, uncertainty budget, ISO 9283, hashes.
+    """Write a calibration certificate: errors before and after, uncertainty budget (GUM), ISO 9283, file hashes.
 
     Parameters
     ----------
@@ -94,10 +94,10 @@ def certificate(
     validation : path, data frame or Recording
         Readings that took no part in the fit (CSV).
     about : path, optional
-        ABOUT.toml with what no recording holds: [laboratory] and [customer] (name, street, city, country), [machine]
-        (manufacturer, serial), [calibration] (number, person, begin, end, place).
+        ABOUT.toml with the details of the certificate: [laboratory] and [customer] (name, street, city, country),
+        [machine] (manufacturer, serial), [calibration] (number, person, begin, end, place).
     output : path, optional
-        CERTIFICATE.html, a page of A4; CERTIFICATE.xml beside it is the digital calibration certificate (DCC).
+        CERTIFICATE.html (A4); the digital calibration certificate (DCC) is written beside it as CERTIFICATE.xml.
 
     Raises
     ------
@@ -178,14 +178,16 @@ def _number(hashes: list[str]) -> str:
 
 
 def compare(before: Given, after: Given, *, output: Source | None = None) -> Comparison:
-    """Compare two sessions of one machine: what changed, by parameter with its uncertainty, and what did not.
+    """Compare two calibrations of one machine: which parameters changed, with uncertainty, and which did not.
 
     Parameters
     ----------
-    before, after : path or Result
-        RESULT.json of the earlier session, and of the later one.
+    before : path or Result
+        RESULT.json of the earlier session.
+    after : path or Result
+        RESULT.json of the later session.
     output : path, optional
-        COMPARISON.json.
+        COMPARISON.json, the result.
 
     Raises
     ------

@@ -42,33 +42,32 @@ def identify(
     report: Source | None = None,
     progress: Progress = silent,
 ) -> Result:
-    """Identify the errors of a machine from a recording.
+    """Identify the geometric errors of a machine from a recording, with their uncertainty.
 
-    Of a recording in motion (kind torque) these are the base parameters of the rigid machine.
+    From a recording in motion (kind torque) it identifies the base parameters of the rigid machine's dynamics.
 
     Parameters
     ----------
     robot : path, Robot or RobotTables
         Robot file (TOML).
     recording : path, data frame or Recording
-        Joints and readings (CSV), with the sidecar beside it.
+        Joints and readings (CSV or Parquet), with their sidecar (TOML) beside them.
     model : str or int, optional
-        Parameters to identify: delta/32 or 32; default the mechanism's largest.
+        Model to identify: delta/32 or 32; default the mechanism's largest.
     as_distance : bool
-        Use the distances of all pairs of positions: the instrument's frame drops out.
+        Use the distances between all pairs of positions, which do not depend on the instrument's frame.
     method : str or Solver
-        Rule for what the readings hardly determine: prior, least-squares, tsvd or ridge.
+        Estimator: prior ([tolerance] and typical errors regularise), least-squares, tsvd (truncated SVD) or ridge.
     truncation : int or str
-        Of method tsvd: a number of singular values, gcv or discrepancy.
+        Method tsvd: number of singular values to keep, or the rule that chooses it, gcv or discrepancy.
     robust : bool
-        Give outliers little weight.
+        Reduce the weight of outliers.
     physics : path or Diagnosis, optional
-        DIAGNOSIS.json whose effects are held while geometry and frame are fitted again: another session of a diagnosed
-        machine.
+        DIAGNOSIS.json of an earlier session: its effects are kept, geometry and instrument frame are fitted again.
     output : path, optional
-        RESULT.json.
+        RESULT.json, the result.
     report : path, optional
-        Page to read (.html).
+        Report (.html).
     progress : callable
         Called with what is being done.
 
@@ -156,25 +155,25 @@ def diagnose(
     write_effect: Source | None = None,
     progress: Progress = silent,
 ) -> Diagnosis:
-    """Find where model and recording differ, and which physics is missing.
+    """Find where model and recording differ, and which physical effect explains it.
 
-    Of a recording in motion (kind torque) this is the friction of every joint.
+    From a recording in motion (kind torque) it finds the friction of every joint, and what else drives show.
 
     Parameters
     ----------
     robot : path, Robot or RobotTables
         Robot file (TOML).
     recording : path, data frame or Recording
-        Joints and readings (CSV), with the sidecar beside it.
+        Joints and readings (CSV or Parquet), with their sidecar (TOML) beside them.
     model : str or int, optional
-        Geometry that is fitted with everything; default the mechanism's largest.
+        Geometric model that is fitted along with all effects: delta/32 or 32; default the mechanism's largest.
     output : path, optional
-        DIAGNOSIS.json.
+        DIAGNOSIS.json, the result.
     report : path, optional
-        Page to read (.html).
+        Report (.html).
     write_effect : path, optional
-        NAME.py: the empirical model that was found as a file of an effect, for derive/effects. Without one nothing is
-        written, and the exit code is 1.
+        NAME.py: writes the formula that was found as an effect file for derive/effects. If none was found, nothing is
+        written and the exit code is 1.
     progress : callable
         Called with what is being done.
 
@@ -239,26 +238,27 @@ def matrix(
     scaling: Literal["file", "paper", "table", "typical"] = "file",
     output: Source | None = None,
 ) -> dict[str, Any]:
-    """Write the identification matrix itself.
+    """Write the identification matrix of a recording, as arrays.
 
-    The arrays are H (rows, parameters), r (rows) [mm], names, units and scaling. Of a recording in motion (kind torque)
-    H is the regressor of the rigid machine, in Nm or N per unit of the inertial parameters, with joint and line of each
-    row, the base parameters (base, combinations) and what the samples do not determine (unidentifiable).
+    The arrays are H (rows, parameters) [mm per unit], r (rows), measured minus nominal [mm], names, units and scaling.
+    For a recording in motion (kind torque), H is the regressor of the rigid machine in Nm or N per unit of the inertial
+    parameters, with joint and line of each row, the base parameters (base, combinations) and what is unidentifiable.
 
     Parameters
     ----------
     robot : path, Robot or RobotTables
         Robot file (TOML).
     recording : path, data frame or Recording
-        Joints and readings (CSV), with the sidecar beside it.
+        Joints and readings (CSV or Parquet), with their sidecar (TOML) beside them.
     model : str or int
-        Parameters of the columns: delta/32 or 32.
+        Model whose parameters are the columns: delta/32 or 32.
     as_distance : bool
-        Use the distances of all pairs of positions: the instrument's frame drops out.
+        Use the distances between all pairs of positions, which do not depend on the instrument's frame.
     scaling : {"file", "paper", "table", "typical"}
-        Of the columns: as in files (mm, deg), as in the paper's equations, as in its tables, or by typical errors.
+        Units of the columns: file (mm, deg), paper (those of its equations), table (of its tables) or typical (typical
+        errors).
     output : path, optional
-        FILE.npz.
+        FILE.npz, an archive of NumPy.
 
     Examples
     --------

@@ -30,25 +30,25 @@ def simulate(
     seed: int = 0,
     output: Source | None = None,
 ) -> Recording:
-    """Simulate a recording with the exact, non-linear model.
+    """Simulate a recording with the exact non-linear model.
 
-    Kind, frame and camera are those of the sidecar of the poses (default: position, robot frame).
+    Kind, frame and camera are those of the poses' sidecar (default: positions in the robot's frame).
 
     Parameters
     ----------
     robot : path, Robot or RobotTables
         Robot file (TOML).
     poses : path, data frame or Recording
-        Joints, or targets x_mm, y_mm, z_mm, with any channels (CSV).
+        Joints, or targets x_mm, y_mm, z_mm in {O}, with the channels that effects depend on (CSV).
     truth : path or mapping, optional
-        TRUTH.toml: the true source errors [mm, deg] and effects; or source errors by name [mm, rad].
+        TRUTH.toml: true source errors [mm, deg] and effects; from Python also source errors by name [mm, rad].
     noise : float
-        Standard deviation of a reading, in its unit (mm, px, deg; in motion Nm, N, A). Rotations beside lengths have
-        the sidecar's sigma_deg, or what is such a shift 100 mm from the measured point.
+        Measurement noise (1 sigma) in the unit of the readings (mm, px, deg; in motion Nm, N, A). Rotations of poses
+        have the sidecar's sigma_deg, by default noise / 100 mm [rad].
     seed : int
         Seed of the noise and of an unknown instrument frame.
     output : path, optional
-        RECORDING.csv, with its sidecar.
+        RECORDING.csv; its sidecar RECORDING.toml is written beside it.
 
     Raises
     ------
@@ -133,19 +133,19 @@ def _truth(
 
 
 def next_poses(diagnosis: Given, *, budget: int | None = None, output: Source | None = None) -> Experiment:
-    """Propose the rows to measure next, which settle what a diagnosis leaves open.
+    """Propose the poses to measure next, to decide what a diagnosis leaves open.
 
-    Of a diagnosis in motion these are runs of a trajectory. The exit code is 1 where nothing is open.
+    For a diagnosis in motion it proposes runs of a trajectory. The exit code is 1 if nothing is open.
 
     Parameters
     ----------
     diagnosis : path or Diagnosis
-        DIAGNOSIS.json of diagnose.
+        DIAGNOSIS.json, written by diagnose.
     budget : int, optional
-        Number of rows, shared among the open questions, the least separated first and new poses before repeats;
+        Largest number of poses, shared among the open questions: the least decided first, new poses before repeats;
         default as many as each question needs.
     output : path, optional
-        POSES.csv: rows to measure and to append to the recording; in motion a trajectory, with its sidecar.
+        POSES.csv: rows to measure and to append to the recording; in motion a trajectory with its sidecar.
 
     Raises
     ------

@@ -14,12 +14,12 @@ if TYPE_CHECKING:
 
 
 def demo(*, output: Source = "demo", progress: Progress = silent) -> Demo:
-    """Run the main job end to end on an embedded recording with a concealed effect.
+    """Run the whole job on an example with a concealed effect: identify, diagnose, compensate, compare with the truth.
 
     Parameters
     ----------
     output : path
-        Folder for the files that it makes.
+        Folder for the results and the page.
     progress : callable
         Called with what is being done.
 
@@ -39,14 +39,14 @@ def demo(*, output: Source = "demo", progress: Progress = silent) -> Demo:
 
 
 def manual(topic: str | None = None, *, examples: Source | None = None) -> str:
-    """Show a page of the manual, and copy the examples that its commands run on.
+    """Show a page of the manual, or copy the examples that its commands use.
 
     Parameters
     ----------
     topic : str, optional
-        The page; without it the contents.
+        Page to show; default the list of pages.
     examples : path, optional
-        Folder for the examples.
+        Folder into which the examples are copied.
 
     Raises
     ------
@@ -68,12 +68,12 @@ def manual(topic: str | None = None, *, examples: Source | None = None) -> str:
 
 
 def explain(code: str) -> str:
-    """Explain the code of an error: what it means, and what to do.
+    """Explain the code of an error: what it means and what to do.
 
     Parameters
     ----------
     code : str
-        As it stands in brackets before the message: missing-column.
+        The code in brackets before the message of an error, for example missing-column.
 
     Raises
     ------

@@ -44,39 +44,39 @@ def study(
     report: Source | None = None,
     told: Told = untold,
 ) -> Study:
-    """Predict what a measuring plan will give, by simulated machines.
+    """Predict what a measuring plan will give, by Monte Carlo: simulate and calibrate many machines.
 
     Parameters
     ----------
     robot : path, Robot or RobotTables
         Robot file (TOML).
     plan : path, data frame or Recording
-        Poses as simulate takes them: joints or targets (CSV), with a sidecar that says kind, frame and noise.
+        Planned poses (CSV), joints or targets as simulate takes them, with a sidecar of kind, frame and noise.
     model : str or int, optional
-        Parameters that the calibration identifies; default the largest model that the plan carries.
+        Model that the calibration identifies: delta/32 or 32; default the largest that the plan can identify.
     machine : str, optional
-        Model of the errors that simulated machines have; default that of the calibration.
+        Model whose errors the simulated machines have; default that of the calibration.
     trials : int
-        Number of machines that are simulated and calibrated.
+        Number of simulated machines.
     noise : float, optional
-        Standard deviation of a reading, in its unit (mm, px, deg); default the sidecar's. Rotations beside lengths
-        have the sidecar's sigma_deg, or what is such a shift 100 mm from the measured point.
+        Measurement noise (1 sigma) in the unit of the readings (mm, px, deg); default that of the sidecar. Rotations
+        of poses have the sidecar's sigma_deg, by default noise / 100 mm [rad].
     suspect : sequence of path
-        TRUTH.toml with effects that may be present; may be repeated.
+        TRUTH.toml with effects that may be present: how often would the diagnosis find them? May be repeated.
     diagnoses : int
-        Number of recordings in which each suspicion is concealed.
+        Number of simulated recordings for each suspected set of effects.
     seed : int
-        Seed of machines and noise.
+        Seed of the random machines and of the noise.
     workers : int, optional
-        Local processes; default one for each core.
+        Number of local processes; default one per core.
     cluster : str, optional
-        Dask scheduler, tcp://HOST:PORT.
+        Dask scheduler to use instead of local processes: tcp://HOST:PORT.
     resume : path, optional
-        Folder that keeps results; the same command goes on from there.
+        Folder that keeps intermediate results, so that the same command can go on after a stop.
     output : path, optional
-        STUDY.json.
+        STUDY.json, the result.
     report : path, optional
-        Page to read (.html).
+        Report (.html).
     told : callable
         Called with how many tasks are done, of how many, and the last.
 
@@ -171,24 +171,24 @@ def batch(
     cluster: str | None = None,
     told: Told = untold,
 ) -> Batch:
-    """Identify, validate or diagnose many recordings; what is done is not done again.
+    """Identify, validate or diagnose all recordings in a folder; resumable.
 
     Parameters
     ----------
     folder : path
-        Folder with a folder for each machine: robot.toml and its recordings.
+        Folder that holds a folder for each machine: robot.toml and its recordings, or files of printer firmware.
     output : path
-        Run directory: table.csv, index.html and the answers; resumed where it exists.
+        Run directory for table.csv, index.html and all results; what it holds already is not computed again.
     do : {"diagnose", "identify", "validate"}
-        What is done with each recording.
+        What to do with each recording; validate needs a result.json beside each robot.toml.
     model : str, optional
-        Parameters to identify: delta/32 or 32; default the mechanism's largest.
+        Model to identify: delta/32 or 32; default the mechanism's largest.
     group_by : str, optional
-        Regular expression: paths with the same match are of one machine.
+        Regular expression: recordings whose paths have the same match belong to one machine; default its folder.
     workers : int, optional
-        Local processes; default one for each core.
+        Number of local processes; default one per core.
     cluster : str, optional
-        Dask scheduler, tcp://HOST:PORT.
+        Dask scheduler to use instead of local processes: tcp://HOST:PORT.
     told : callable
         Called with how many tasks are done, of how many, and the last.
 

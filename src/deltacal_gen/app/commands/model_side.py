@@ -22,7 +22,7 @@ def models(name: str | None = None) -> Mechanisms:
     Parameters
     ----------
     name : str, optional
-        A mechanism, or one of its models: its parameters, with units and meanings.
+        Mechanism or model, for example delta or delta/18: its parameters with units and meanings; default all.
 
     Raises
     ------
@@ -63,12 +63,12 @@ def models(name: str | None = None) -> Mechanisms:
 
 
 def effects(name: str | None = None) -> Effects:
-    """List the effects that a diagnosis knows, with their parameters.
+    """List the physical effects that diagnose knows, with their parameters and units.
 
     Parameters
     ----------
     name : str, optional
-        An effect: what its parameters mean, what it reads and moves.
+        Effect, for example backlash: meaning of its parameters, what it depends on and what it moves; default all.
 
     Raises
     ------
@@ -111,18 +111,18 @@ def _named(name: str, known: Sequence[str], what: str) -> tuple[str]:
 def claims(
     *, paper: str | None = None, status: str | None = None, search: str | None = None, output: Source | None = None
 ) -> Claims:
-    """Show what the papers claim, what the derivation gives, and the test that decides (from a source checkout).
+    """List the claims of the papers with their status, the evidence and the deciding test (source checkout only).
 
     Parameters
     ----------
     paper : str, optional
-        One paper alone: bai, mei, savoure or traslosheros.
+        Only this paper: bai, mei, savoure or traslosheros.
     status : str, optional
-        One status alone, e.g. contradicted.
+        Only this status, for example contradicted.
     search : str, optional
-        Claims in which each of these words begins a word.
+        Only claims with words that begin with each of these.
     output : path, optional
-        Page that can be searched (.html).
+        Page with a search field (.html).
 
     Raises
     ------
@@ -142,14 +142,14 @@ def claims(
 
 
 def reproduce(paper: str, *, output: Source, progress: Progress = silent) -> Reproduction:
-    """Remake the tables and figures of a paper beside the printed ones, with the verdicts (from a source checkout).
+    """Reproduce the tables and figures of a paper beside the printed ones (source checkout only).
 
     Parameters
     ----------
     paper : str
         bai, mei, savoure or traslosheros.
     output : path
-        Folder for PAPER.html; made where there is none.
+        Folder for PAPER.html; created if missing.
     progress : callable
         Called with what is being done.
 
@@ -176,17 +176,17 @@ def reproduce(paper: str, *, output: Source, progress: Progress = silent) -> Rep
 def derivation(
     model: str | None = None, *, all_: bool = False, output: Source, progress: Progress = silent
 ) -> Derivation:
-    """Write the report for reviewers: every equation, its source, its checks (from a source checkout).
+    """Write the report for reviewers: every equation with its source and its checks (source checkout only).
 
     Parameters
     ----------
     model : str, optional
-        A model (delta/42), a mechanism (its largest model), an effect (backlash), a kind of measurement (distance), or
+        Model (delta/42), mechanism (its largest model), effect (backlash), kind of measurement (distance), or the word
         method.
     all_ : bool
-        All models, effects and kinds of measurement, with an index.
+        All models, effects and kinds of measurement, with an index; then -o is a folder.
     output : path
-        FILE.html, or FILE.md whose pictures are written beside it; with --all a folder.
+        FILE.html, or FILE.md with its pictures beside it.
     progress : callable
         Called with what is being done.
 
@@ -224,23 +224,21 @@ def kernels(
     output: Source | None = None,
     progress: Progress = silent,
 ) -> Kernels:
-    """Derive the models and emit the kernel package (from a source checkout), or compile it ahead (anywhere).
-
-    The derivation runs in a process of its own: nothing at run time imports SymPy.
+    """Derive the models and generate the kernel package (source checkout only), or compile it ahead of time.
 
     Parameters
     ----------
     names : sequence of str
-        Mechanisms, effects or measurements; default all.
+        Mechanisms, effects or kinds of measurement to derive; default all.
     check : bool
-        Write nothing; fail if the committed kernels differ.
+        Write nothing; exit with 1 if the committed kernels differ.
     warm : bool
-        Derive nothing; compile everything ahead.
+        Derive nothing; compile all kernels now, so that later commands start faster.
     try_ : path, optional
-        Robot file of a machine that was just derived: 100 poses there and back, what each kind of measurement
-        determines of its largest model, and a drawing from its own equations.
+        Robot file (TOML) of a newly derived machine to try: 100 poses forward and inverse, what each kind of
+        measurement can identify, and a drawing from its equations.
     output : path, optional
-        The drawing (.svg); default MECHANISM.svg.
+        Drawing of --try (.svg); default MECHANISM.svg.
     progress : callable
         Called with what is being done.
 

@@ -34,45 +34,48 @@ def plan(
     output: Source | None = None,
     picture: Source | None = None,
 ) -> Plan:
-    """Choose measuring poses: condition number and observability against their number, or a D-optimal set.
+    """Choose measuring poses: how many by condition number and observability, or a D-optimal set.
 
-    Of one axis, and of kind encoder, these are joints reached from either side; of kind torque trajectories.
+    For a machine of one axis, and for kind encoder, it chooses joint positions that are reached from both sides; for
+    kind torque it plans exciting trajectories.
 
     Parameters
     ----------
     robot : path, Robot or RobotTables
         Robot file (TOML).
     model : str or int, optional
-        Whose parameters the poses shall determine: delta/18 or 18. Not needed where there is but one, nor for kinds
-        torque and encoder.
+        Model whose parameters the poses must identify: delta/18 or 18. Needed, unless the mechanism has one model
+        only, or the kind is torque or encoder.
     kind : str, optional
-        What is measured: distance, position, pose, gauge, encoder, torque, 'board image', 'touched board'.
+        What is measured: distance, position, pose, gauge, encoder, torque, 'board image' or 'touched board'; default
+        distance, of an open chain position.
     optimal : int, optional
-        Choose this many D-optimal poses, in place of rings.
+        Number of D-optimal poses, chosen in place of rings of poses.
     points : int, optional
-        Reference points on the platform, 1 to 3; default as many as the model needs.
+        Number of reference points (reflectors) on the platform, 1 to 3; default as many as the model needs.
     singular : (float, float), optional
-        Poses this far from the nearest singularity, from .. to [mm], in place of rings.
+        Smallest and largest distance of the poses from the nearest singularity [mm], in place of rings.
     layers : str, optional
-        Layers of the rings: top,middle,bottom; default those of the paper.
+        Heights of the rings in the workspace, as top,middle,bottom; default those of the paper.
     start_angle_deg : float, optional
-        Angle of the first pose of a ring [deg].
+        Angle about z of the first pose of each ring [deg]; default 0.
     threshold : float, optional
-        Relative change of the condition number below which more poses are no gain; default 0.01.
+        Relative change of the condition number below which no more poses are added; default 0.01.
     n_max : int, optional
-        Largest number that is tried.
+        Largest number of poses for each ring; default 30.
     noise : float, optional
-        Standard deviation of a reading [mm]: predicts the uncertainty that the poses will give.
+        Measurement noise (1 sigma) [mm], to predict the uncertainty of the parameters.
     gauge : path, optional
-        Sidecar that says where the ends of a gauge are mounted: base_point_mm, platform_point_mm.
+        Sidecar (TOML) with base_point_mm and platform_point_mm, where the ends of the gauge are mounted.
     sidecar : path, optional
-        What the sidecar of the readings will say: kind, and place and lens of a camera.
+        Sidecar (TOML) that the readings will have: their kind; of a camera, its place and lens.
     scaling : {"paper", "table", "file", "typical"}, optional
-        Scaling of the columns; default the paper's.
+        Units of the matrix's columns: paper (those of its equations), table (of its tables), file (mm, deg) or typical
+        (typical errors); default paper.
     norm : {"spectral", "frobenius"}
-        Norm of the condition number.
+        Norm by which the condition number is taken.
     output : path, optional
-        TARGETS.csv, for simulate.
+        TARGETS.csv: the poses, as simulate and the controller take them.
     picture : path, optional
         Condition number against the number of poses, .svg, .png or .pdf.
 
@@ -155,15 +158,15 @@ def plan_cycles(
     robot : path, Robot or RobotTables
         Robot file (TOML).
     kind : str, optional
-        What is measured: encoder, or position of one axis.
+        What is measured: encoder, or position for a machine of one axis.
     positions : int, optional
-        One axis, or kind encoder: how many positions are reached from both sides.
+        One axis or kind encoder: number of positions that are reached from both sides.
     cycles : int, optional
-        One axis: how often it goes forth and back; default 5.
+        One axis: number of runs to and fro over all positions; default 5.
     sidecar : path, optional
-        What the sidecar of the readings will say: their kind.
+        Sidecar (TOML) that the readings will have: their kind.
     output : path, optional
-        ROWS.csv, for simulate.
+        ROWS.csv: the joint positions, as simulate and the controller take them.
 
     Raises
     ------
@@ -171,6 +174,10 @@ def plan_cycles(
         The robot file does not say how far the joints go.
     UsageError
         Fewer than two positions or cycles; cycles of several joints.
+
+    Examples
+    --------
+    deltacal plan axis.toml --cycles 5 -o rows.csv
     """
     from deltacal_gen.instrument.kinds import POINTS
     from deltacal_gen.planning import both_sides
@@ -201,11 +208,11 @@ def plan_trajectory(
     robot : path, Robot or RobotTables
         Robot file (TOML).
     runs : int
-        Kind torque: number of movements, each a run.
+        Kind torque: number of trajectories, each a run.
     period_s : float
-        Kind torque: length of each movement [s].
+        Kind torque: period of each trajectory [s].
     harmonics : int
-        Kind torque: harmonics of its Fourier series.
+        Kind torque: number of harmonics of the Fourier series.
     rate_Hz : float
         Kind torque: samples per second [Hz].
     output : path, optional
@@ -219,6 +226,10 @@ def plan_trajectory(
         A number out of range.
     NoSolutionError
         No trajectory stays in the workspace.
+
+    Examples
+    --------
+    deltacal plan robot.toml --kind torque -o trajectory.csv
     """
     from deltacal_gen.planning import exciting
 

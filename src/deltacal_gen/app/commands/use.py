@@ -39,28 +39,25 @@ def compensate(
     output: Source | None = None,
     tell: Progress = silent,
 ) -> Array:
-    """Correct joint commands, or export the compensator; of a diagnosis with its effects, channel by channel.
-
-    The commands are (N, n_q) [deg or mm].
+    """Compute corrected joint commands for targets, or export the compensator for a controller.
 
     Parameters
     ----------
     result : path or Result or Diagnosis
-        RESULT.json of identify, or DIAGNOSIS.json of diagnose: then the commands include the effects that were found.
+        RESULT.json of identify, or DIAGNOSIS.json of diagnose, whose effects are then compensated too.
     targets : path, data frame or (N, 3) array
-        x_mm, y_mm, z_mm in {O}, tool columns and channels (CSV). Of an open chain rx_deg, ry_deg, rz_deg too, or
-        joints: the program as it is, whose poses of the nominal chain are kept. From Python also an array (N, 3), of a
-        chain (N, 6).
+        Targets x_mm, y_mm, z_mm in {O}, with tool points and the channels that effects depend on (CSV). For an open
+        chain also rx_deg, ry_deg, rz_deg, or the joints of a program, whose nominal poses are then reached. From
+        Python also an array (N, 3), for a chain (N, 6).
     method : {"exact", "linear"}
-        Solve the calibrated machine, or correct to first order.
+        Solve the inverse kinematics of the calibrated machine, or correct the nominal one to first order.
     channels : mapping of (N,) arrays or numbers, optional
-        For an array of targets, what the effects depend on, by the names of a recording's columns: temp_C, payload_kg,
-        time_s, approach1 ...
+        For an array of targets, the channels that effects depend on, by their column names: temp_C, payload_kg, time_s,
+        approach1 ...
     bands : bool
-        Write the 95 % coverage interval of where the machine will stand beside each command: x_lo_mm, x_hi_mm ..., in
-        {O} as the instrument sees it.
+        Also write the 95 % coverage interval of the position that each command reaches: x_lo_mm, x_hi_mm ... in {O}.
     output : path, optional
-        JOINTS.csv, or the export.
+        JOINTS.csv: the commands [deg or mm]; with --export the exported file.
     tell : callable
         Called with what is assumed where a channel is not given.
 
@@ -126,14 +123,14 @@ def export_compensator(
     result : path or Result or Diagnosis
         RESULT.json of identify, or DIAGNOSIS.json of diagnose.
     export : str
-        Write this for a controller, in place of commands: c or table, the compensator; klipper, rrf or marlin, the
-        lines of a printer's firmware.
+        Export instead of commanding targets: c (C99 source) or table (corrections on a grid); klipper, rrf or marlin
+        (configuration lines of printer firmware).
     output : path
         File of the export.
     method : {"exact", "linear"}
-        Solve the calibrated machine, or correct to first order.
+        Solve the inverse kinematics of the calibrated machine, or correct the nominal one to first order.
     tolerance_mm : float
-        Largest error of an exported table [mm].
+        Export table: largest error of interpolation [mm].
     tell : callable
         Called with what the export does not hold.
 
@@ -183,6 +180,10 @@ def feed_forward(
     ------
     UsageError
         The result is of a machine at rest.
+
+    Examples
+    --------
+    deltacal compensate diagnosis.json trajectory.csv --trajectory -o commands.csv
     """
     import numpy as np
 
@@ -219,21 +220,20 @@ def predict(
     output: Source | None = None,
     tell: Progress = silent,
 ) -> Recording:
-    """Predict the readings at other joints, in the instrument's frame.
+    """Predict the readings at other joint positions, in the instrument's frame.
 
     Parameters
     ----------
     result : path or Result or Diagnosis
         RESULT.json of identify, or DIAGNOSIS.json of diagnose.
     recording : path, data frame or Recording
-        Joints, and the channels that effects depend on (CSV); its measured columns are not read.
+        Joints and the channels that effects depend on (CSV); measured columns are ignored.
     place : path, data frame or Recording, optional
-        Readings of the same set-ups at other poses (CSV), which place the instrument in place of what the result knows.
+        Readings of the same instrument set-ups at other poses (CSV), to locate the instrument again.
     bands : bool
-        Write the 95 % prediction interval beside each value: x_lo_mm, x_hi_mm ...; at rest without the noise of a
-        reading.
+        Also write the 95 % interval of each value: x_lo_mm, x_hi_mm ...; it includes measurement noise only in motion.
     output : path, optional
-        PREDICTED.csv.
+        PREDICTED.csv: the recording with predicted readings.
     tell : callable
         Called with which joints stand at angles that the diagnosis never saw.
 

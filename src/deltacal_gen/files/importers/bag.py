@@ -103,6 +103,10 @@ def import_bag(
         The bag cannot be read, or a topic is missing.
     UsageError
         The libraries are not installed.
+
+    Examples
+    --------
+    deltacal import bag session.mcap robot.toml -o session
     """
     path = Path(path)
     said = BagMap() if mapping is None else TomlFile.read(mapping).check(BagMap)

@@ -60,6 +60,10 @@ def import_c3d(
         A file cannot be read, or the marker is missing.
     UsageError
         ezc3d is not installed.
+
+    Examples
+    --------
+    deltacal import c3d session.c3d joints.csv robot.toml -o session
     """
     path = Path(path)
     with naming(path):

@@ -72,6 +72,10 @@ def import_klipper(path: str | Path, output: str | Path | None = None) -> Import
     ------
     InputError
         No delta, or a value that is missing or cannot be; the message names the section and what to do.
+
+    Examples
+    --------
+    deltacal import klipper printer.cfg -o printer
     """
     path = Path(path)
     with naming(path):

@@ -46,6 +46,10 @@ def import_marlin(path: str | Path, output: str | Path | None = None) -> Importe
     ------
     InputError
         There is no M665, or no heights whose places are known.
+
+    Examples
+    --------
+    deltacal import marlin terminal.log -o printer
     """
     path = Path(path)
     lines = read_text(path).split("\n")

@@ -58,6 +58,10 @@ def import_points(
     ------
     InputError
         A cell that is no number, an angle without a unit, no point that both files name.
+
+    Examples
+    --------
+    deltacal import points points.txt joints.csv robot.toml -o session
     """
     measured, table = read_list(Path(points)), read_list(Path(joints))
     groups, names = points_of(measured)

@@ -40,6 +40,10 @@ def import_rrf(config: str | Path, height_map: str | Path, output: str | Path | 
     ------
     InputError
         No M665, or a map that cannot be read; the message names the line.
+
+    Examples
+    --------
+    deltacal import rrf config.g heightmap.csv -o printer
     """
     config, height_map = Path(config), Path(height_map)
     codes = _gcode(config)

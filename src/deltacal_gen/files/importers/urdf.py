@@ -54,6 +54,10 @@ def import_urdf(
         The file cannot be used, or several chains are as long; with its line and what to do.
     UsageError
         A link that there is not, or that the base does not carry.
+
+    Examples
+    --------
+    deltacal import urdf arm.urdf --tip tool0 -o arm
     """
     with naming(Path(path)):
         tree = Tree(Path(path))
