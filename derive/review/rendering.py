@@ -21,7 +21,7 @@ PAPER = {"var(--card)": "#ffffff", "var(--paper)": "#ffffff", "var(--good)": "#2
 
 def page(template: str, **content: Any) -> str:
     """Return a page by the name of its template."""
-    style = report.asset("style.css")
+    style = report.asset("style.css") + (PAGES / "style.css").read_text(encoding="utf-8")
     return _environment(autoescape=True).get_template(f"{template}.html.jinja").render(style=style, **content)
 
 

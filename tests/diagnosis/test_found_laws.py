@@ -185,13 +185,13 @@ def test_what_geometry_leaves_is_of_the_rows_that_the_law_was_asked_of(made: Dia
 @pytest.mark.walk
 def test_the_page_shows_it_as_mathematics_with_its_curve(found: Diagnosis) -> None:
     page = report.diagnosis(found)
-    assert "A law that nobody has registered" in page
+    assert "A formula that nobody has registered" in page
     assert "limb.rod goes with tension_1 at limb 2" in page
     assert mathml("c1*tanh(tension_1/c2)") in page
     assert page.count("<svg") >= 3
-    assert "with what was found" in page[: page.index("A law that nobody has registered</h2>")]  # a bar
-    assert "asked of, predicted from the others" in page
-    assert "so simple a formula leaves" not in page  # of which the truth is one
+    assert "with what was found" in page[: page.index("A formula that nobody has registered</h2>")]  # a bar
+    assert "tested on, predicted from the others" in page
+    assert "A smooth discrepancy" not in page  # of which the truth is one
     assert "--write-effect" in page
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import html
 
 import numpy as np
 import pytest
@@ -210,15 +211,15 @@ def test_hints_stand_on_the_page_with_what_decides(weak: Diagnosed) -> None:
     page = report.diagnosis(found)
     hint = found.hints[0]
     [entry] = [n for n in found.next_measurements if n.separates == (hint.name,)]
-    part = page[page.index("What may be there besides") :]
+    part = page[page.index("Suspected, not confirmed") :]
     for said in (f"{hint.name} at limb 2", f"{hint.gain_chi2:.0f}", report.power(hint.p_value), hint.why):
         assert said in part
     assert f"The {len(entry.poses)} poses below: {entry.expected_chi2:.0f} of chi² are expected" in part
-    assert "is noise. Nothing else is proven." in page
-    assert "nothing is proven to be missing" in page
+    assert html.escape(found.summary, quote=False) in page
+    assert "no model error found" in page
     assert found.summary.startswith("Nothing is proven to be missing: ")
     answer = dataclasses.replace(weak, hints=()).answer()
     without = report.diagnosis(answer)
-    assert "What may be there besides" not in without
-    assert "nothing is missing" in without
+    assert "Suspected, not confirmed" not in without
+    assert html.escape(answer.summary, quote=False) in without
     assert answer.summary.startswith("Nothing is missing: ")

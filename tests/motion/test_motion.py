@@ -298,7 +298,7 @@ def test_the_page_shows_every_joint_before_and_after(recorded: Path, diagnosed: 
     dc.identify(recorded.with_name("robot.toml"), recorded, report=tmp_path / "result.html")
     text = (tmp_path / "result.html").read_text()
     assert "15 base parameters" in text
-    assert "The ladder" not in text
+    assert "What each term explains" not in text
 
 
 @pytest.mark.walk

@@ -33,8 +33,8 @@ return [...document.querySelectorAll(':not(pre) > code')].filter(e => getCompute
 """
 PAPER = 672  # px of CSS: A4 within the margins of the stylesheet
 BEYOND_PAPER = """
-return [...document.querySelectorAll('body *')].filter(e => !e.closest('svg') && e.getBoundingClientRect().right >
-  window.innerWidth + 1).map(e => e.outerHTML.slice(0, 90));
+return [...document.querySelectorAll('body *')].filter(e => !e.closest('svg, .said:not([open])')  // these stay folded
+  && e.getBoundingClientRect().right > window.innerWidth + 1).map(e => e.outerHTML.slice(0, 90));
 """
 EMPTY = """
 return [...document.querySelectorAll('math')].filter(e => !e.closest('details:not([open])')).map(

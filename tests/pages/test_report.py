@@ -48,7 +48,8 @@ def test_the_page_says_what_was_found_and_what_to_do(found: dict[str, Any]) -> N
     (p,) = found["effects"][0]["parameters"]
     assert "Backlash at limb 2" in text
     assert load_effect("backlash").ADVICE in text
-    assert text.count(report.measured(p["value"], p["std"])) == 2  # in the sentence and in the table
+    assert text.count(report.measured(p["value"], p["std"])) == 1
+    assert found["summary"] in text
     assert f"{found['baseline']['heldout_rms_mm']:.4f}" in text
     for rival in found["rejected"]:
         assert rival["name"].replace("_", " ") in text
@@ -92,11 +93,11 @@ def test_what_to_measure_next_is_a_table_to_type_in(found: dict[str, Any]) -> No
 @pytest.mark.walk
 def test_what_is_written_in_files_is_not_code(found: dict[str, Any]) -> None:
     found["robot"]["robot"]["name"] = "<script>cell</script> & co"
-    found["gross_errors"] = [7]
+    found["gross_errors"] = [7, 9]
     page = report.diagnosis(read_result(found))
     assert_self_contained(page)
     assert "&lt;script&gt;cell" in page
-    assert "line 7 of the recording" in words(page)
+    assert "Outliers in lines 7, 9." in words(page)
 
 
 @pytest.mark.walk
@@ -107,7 +108,7 @@ def test_readings_of_one_number_have_no_map(found: dict[str, Any]) -> None:
     found["instrument"]["kind"] = "distance"
     again = with_partial_residuals(read_result(found))  # type: ignore[arg-type]
     page = report.diagnosis(again)
-    assert "Over the workspace" not in words(page)
+    assert "over the workspace" not in words(page)
     assert again.residuals.partial is not None
     assert (again.residuals.partial.of, again.residuals.partial.unit) == ("residual", "mm")
 
@@ -151,16 +152,20 @@ def test_one_sheet_as_a_file(found: dict[str, Any], tmp_path: Any) -> None:
     for name, data in {"a.svg": found, "b.svg": found, "c.svg": without_effects(found, "adequate")}.items():
         figures.write(read_result(data), tmp_path / name)
     assert (tmp_path / "a.svg").read_bytes() == (tmp_path / "b.svg").read_bytes()
-    assert "cell 7: nothing is missing" in (tmp_path / "c.svg").read_text()
+    assert "cell 7: no model error found" in (tmp_path / "c.svg").read_text()
 
 
 def test_the_page_of_a_calibration_shows_what_is_left_where_its_fit_is_known(tmp_path: Any) -> None:
     folder, page = example(), tmp_path / "page.html"
     found = dc.identify(folder / "robot.toml", folder / "recording.csv", model="32", report=page)
     said = page.read_text()
-    for title in ("In the order of the recording", "How they spread", "Where it was measured, from the side"):
+    for title in (
+        "In the order of the recording",
+        "Distribution of the residuals",
+        "Where it was measured, from the side",
+    ):
         assert title in said
-    assert "What is left of every reading" not in report.calibration(found.replace(residuals=None))
+    assert "Residuals of the readings" not in report.calibration(found.replace(residuals=None))
     assert "Corrected commands" in said
 
 
@@ -180,4 +185,4 @@ def test_a_printer_is_told_how_its_lines_are_written() -> None:
     assert "--export klipper" in said
     assert "targets.csv" not in said
     assert "with a bed as flat" in said
-    assert "would pin" not in said
+    assert "would make" not in said

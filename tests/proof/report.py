@@ -174,6 +174,7 @@ def _counted(run: Mapping[str, Any]) -> str:
 # ------------------------------------------------------------------------------------------------------------ page
 
 _CSS = """
+.verdict { color: var(--muted); font-size: 0.85rem; font-weight: 600; margin: 0; }
 .figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(24rem, 100%), 1fr)); gap: 0 2rem; }
 .answers { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(13rem, 100%), 1fr)); gap: 0.4rem 2rem; }
 .answers p { margin: 0.3rem 0; color: var(--muted); } .answers b { display: block; font-size: 1.7rem; color: var(--ink);
@@ -210,7 +211,7 @@ def page(found: Sequence[Entry], run: Mapping[str, Any], moving: Sequence[dict[s
     parts.append("<h2>What went wrong, case by case</h2>")
     parts.append(f"<ul>{''.join(f'<li>{_text(line)}</li>' for line in lines)}</ul>" if lines else "<p>Nothing.</p>")
     parts += ["<h2>How it was made</h2>", f"<p>{_text(_made(run))} {_text(HOW)}</p>"]
-    return report.page("deltacal: the proof", parts)
+    return report.page_of("parts", title="deltacal: the proof", parts=parts)
 
 
 def _failed_in_motion(moving: Sequence[dict[str, Any]]) -> Iterator[str]:
@@ -246,28 +247,32 @@ def _figures(found: Sequence[Entry]) -> Iterator[str]:
     effects = [f for f in found if f["kind"] in ("single", "pair")]
     exact = [f for f in effects if f.get("relative")]
     if exact:
-        yield report.figure(
+        yield _figure(
             _drawn(lambda axes: _errors(axes, exact, [f for f in effects if not f["right"]])),
             "Error of the parameters, largest of each case, against what geometry alone leaves. Crosses on the upper "
             "edge: answers that were not right.",
         )
     if len(z := np.array([v for f in effects for v in f.get("z", ())])) > 4:
-        yield report.figure(
+        yield _figure(
             _drawn(lambda axes: _honesty(axes, z)),
             "Parameters: value minus truth in units of the stated standard deviation, and what it would be if that "
             "were exact.",
         )
     both = [f for f in effects if f.get("gain") and f.get("to_oracle")]
     if both:
-        yield report.figure(
+        yield _figure(
             _drawn(lambda axes: _gains(axes, both)),
             "Prediction of 100 fresh readings: how much better than geometry alone the diagnosis is, and how much "
             "better an ideal fit that knows the effects. On the line there is nothing left to gain.",
         )
-        yield report.figure(
+        yield _figure(
             _drawn(lambda axes: _rates(axes, effects)),
             "Right answers by signal over noise, with their 95 % intervals; one or two effects concealed.",
         )
+
+
+def _figure(picture: Any, caption: str) -> str:
+    return f"<figure>{report.inline(picture)}<figcaption>{_text(caption)}</figcaption></figure>"
 
 
 def _drawn(draw: Callable[[Any], None]) -> Any:

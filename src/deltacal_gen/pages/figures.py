@@ -29,6 +29,11 @@ from deltacal_gen.results.result import Result, Status
 from deltacal_gen.results.study import Advice, Position, Study, Suspect
 from deltacal_gen.states import of_column
 
+VERDICTS = {
+    Verdict.ADEQUATE: "no model error found",
+    Verdict.MISSING_PHYSICS: "effect found",
+    Verdict.UNEXPLAINED: "residual not explained",
+}
 MOST_LAYERS = 12  # of a workspace, drawn side by side
 INK, MUTED, BEFORE, AFTER = "#1c2733", "#6b7885", "#c8553d", "#2a6f97"
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
@@ -141,7 +146,7 @@ def stages(axes: Axes, result: Result) -> None:
     axes.axvline(sigma, color=MUTED, lw=1, ls="--")
     axes.text(sigma, -0.62, f"noise ({result.sigma_source})", color=MUTED, ha="center", fontsize=8)
     axes.set_xlabel(f"rms of the readings, {unit}")
-    axes.set_title("What each stage leaves", pad=16)
+    axes.set_title("Residual, stage by stage", pad=16)
 
 
 def _nothing(axes: Axes, title: str, words: str) -> None:
@@ -155,7 +160,7 @@ def readings(axes: Axes, result: Result) -> None:
     """Draw the singular values of the identification matrix, and where they stop counting."""
     s = result.singular_values
     if not len(s):
-        _nothing(axes, "The readings see", "no source error: joints are read, not the platform")
+        _nothing(axes, "Directions", "no source error is identifiable: joints are read, not the platform")
         return
     axes.semilogy(np.arange(1, len(s) + 1), np.maximum(s / s[0], 1e-17), ".", color=AFTER)
     axes.axhline(result.rank_tolerance, color=MUTED, lw=1, ls="--")
@@ -163,7 +168,7 @@ def readings(axes: Axes, result: Result) -> None:
     axes.text(1, result.rank_tolerance * 1.6, "rank tolerance", color=MUTED, fontsize=8)
     axes.set_xlabel("direction")
     axes.set_ylabel("singular value, relative")
-    axes.set_title(f"The readings see {result.rank} of {len(s)} directions")
+    axes.set_title(f"{result.rank} of {len(s)} directions are identifiable")
 
 
 def parameters(axes: Axes, result: Result) -> None:
@@ -171,7 +176,7 @@ def parameters(axes: Axes, result: Result) -> None:
     known = (Status.IDENTIFIED, Status.BY_PRIOR)
     told = [(p, p.std) for p in result.parameters if p.status in known and p.std]
     shown = sorted(told, key=lambda both: -abs(both[0].value) / both[1])[:14]
-    title = "Parameters found, with 2 standard deviations"
+    title = "Parameters, with 2 standard uncertainties"
     if not shown:
         _nothing(axes, title, "no single parameter is identified,\nonly combinations")
         return
@@ -219,9 +224,9 @@ def workspace(axes: Axes, result: Result) -> None:
     axes.set_yticks([])
     axes.spines[:].set_visible(False)
     axes.figure.colorbar(
-        dots, ax=axes, orientation="horizontal", shrink=0.7, label="standard deviation of the position, mm"
+        dots, ax=axes, orientation="horizontal", shrink=0.7, label="standard uncertainty of the position, mm"
     )
-    axes.set_title("How well the tool position is known" + (f", {where}" if where else ""), pad=22)
+    axes.set_title("Uncertainty of the tool position" + (f", {where}" if where else ""), pad=22)
 
 
 # ------------------------------------------------------------------------------------------------------- diagnosis
@@ -339,16 +344,9 @@ def diagnosis(found: Diagnosis) -> Sheet:
         axes[0].set_title(before_title(found, channel))
         axes[1].set_title("with what was found")
         bars(axes[2], found)
-        title = {
-            Verdict.ADEQUATE: "nothing is missing",
-            Verdict.MISSING_PHYSICS: "; ".join(
-                [
-                    *("a law that nobody has registered" for _ in found.laws[:1]),
-                    *(named(e, found.robot.places) for e in found.findings),
-                ]
-            ),
-            Verdict.UNEXPLAINED: "a mismatch that no known effect explains",
-        }[found.verdict]
+        names = [*("an unregistered formula" for _ in found.laws[:1])]
+        names += [named(e, found.robot.places) for e in found.findings]
+        title = "; ".join(names) if found.verdict is Verdict.MISSING_PHYSICS else VERDICTS[found.verdict]
         figure.suptitle(f"{found.robot.robot.name}: {title}", x=0.01, ha="left", fontsize=12)
     return figure
 

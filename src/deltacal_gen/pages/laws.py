@@ -37,7 +37,7 @@ def _part(term: LawTerm | RunnerUp, places: Places) -> str:
 
 def headline(law: LawOf, places: Places) -> str:
     """Return a law in a few words."""
-    return "A law that nobody has registered: " + " and ".join(
+    return "A formula that nobody has registered: " + " and ".join(
         f"{t.target} goes with {' and '.join(_states(t))}{where(t, places)}" for t in law.terms
     )
 

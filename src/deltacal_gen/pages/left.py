@@ -87,7 +87,7 @@ def in_order(axes: Axes, left: Left) -> None:
     axes.text(1.0, expected, " noise", transform=axes.get_yaxis_transform(), color=MUTED, fontsize=8, va="center")
     axes.set_ylim(0, 1.06 * top)
     axes.set_xlabel("line of the recording")
-    axes.set_ylabel(f"error, {left.unit}")
+    axes.set_ylabel(f"residual, {left.unit}")
     axes.set_title(f"In the order of the recording{f' ({far.sum()} beyond the scale)' if far.any() else ''}")
 
 
@@ -102,9 +102,9 @@ def spread(axes: Axes, left: Left) -> None:
         curve = np.exp(-0.5 * (x / left.sigma) ** 2) / (left.sigma * np.sqrt(2 * np.pi))
         axes.plot(x, curve * len(errors) * (edges[1] - edges[0]), color=MUTED, lw=1, ls="--", label="noise")
         axes.legend(frameon=False, loc="upper right")
-    axes.set_xlabel(f"error of a reading's component, {left.unit}")
-    axes.set_ylabel("how many")
-    axes.set_title("How they spread")
+    axes.set_xlabel(f"residual of a component, {left.unit}")
+    axes.set_ylabel("count")
+    axes.set_title("Distribution of the residuals")
 
 
 def places(axes: Axes, left: Left, view: tuple[str, int, int]) -> None:
@@ -125,5 +125,5 @@ def places(axes: Axes, left: Left, view: tuple[str, int, int]) -> None:
     axes.margins(0.08)
     axes.set_xlabel(f"{'xyz'[a]}, mm")
     axes.set_ylabel(f"{'xyz'[b]}, mm")
-    axes.figure.colorbar(dots, ax=axes, orientation="horizontal", shrink=0.7, label=f"error, {left.unit}")
+    axes.figure.colorbar(dots, ax=axes, orientation="horizontal", shrink=0.7, label=f"residual, {left.unit}")
     axes.set_title(f"Where it was measured{f', {words}' if len(left.views) > 1 else ''}")

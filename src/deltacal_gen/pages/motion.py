@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 
-from deltacal_gen.pages import laws, report
+from deltacal_gen.pages import figures, laws, report
 from deltacal_gen.pages.figures import AFTER, BEFORE, MUTED
 from deltacal_gen.results.diagnosis import Verdict
 from deltacal_gen.results.motion import (
@@ -19,7 +19,6 @@ from deltacal_gen.results.motion import (
     MotionValidation,
     TorqueEffect,
     Trace,
-    by_joint,
 )
 from deltacal_gen.results.parts import Source
 from deltacal_gen.results.places import Places
@@ -45,7 +44,7 @@ def motion(found: MotionResult | MotionDiagnosis) -> str:
         "rejected": [],
         "not_tested": [],
     }
-    own = any(p.limb is not None for p in found.base)
+    own, found_too = any(p.limb is not None for p in found.base), ["with what was found"] * diagnosed
     return report.page_of(
         "motion",
         **(
@@ -54,7 +53,6 @@ def motion(found: MotionResult | MotionDiagnosis) -> str:
                 "badge": Verdict.ADEQUATE.value,
                 "verdict": "identified",
                 "headline": f"{machine}: {len(found.base)} base parameters",
-                "lead": _lead(found),
                 "next": [(report.spaced(n.why), n.text) for n in found.next_measurements],
             }
             | each
@@ -63,11 +61,13 @@ def motion(found: MotionResult | MotionDiagnosis) -> str:
         title=f"{machine}: {'diagnosis' if diagnosed else 'identification'} in motion",
         machine=machine,
         found=found,
+        told=report.told(found),
+        heldout_columns=("joint", "rigid machine alone", *found_too, "low-pass filtered", "unit"),
         heldout=_heldout(found),
         time=[_picture(f"joint {t.limb}", partial(over_time, trace=t, bare=not diagnosed)) for t in found.traces],
         against=[{"title": f"joint {t.limb}", "svg": _panels(t, bare=not diagnosed)} for t in found.traces],
         bodies=[(body.name, f"{body.value:.5g}", body.unit) for body in found.consistent or ()],
-        base_columns=("parameter", *(("joint",) if own else ()), "made of", "value ± standard deviation", "unit"),
+        base_columns=("parameter", *(("joint",) if own else ()), "made of", "value ± standard uncertainty", "unit"),
         base=[
             (
                 p.name,
@@ -94,13 +94,13 @@ def validation(found: MotionValidation, traces: Sequence[Trace]) -> str:
         "validation_in_motion",
         title="Validation in motion",
         found=found,
-        headline=found.headline,
+        told=report.told(found),
         errors=[(str(j), *map(_figure, values), unit) for j, (*values, unit) in enumerate(each, 1)],
         noise="as declared" if found.noise.source == Source.DECLARED else "as the model's own recording left it",
         time=[_picture(f"joint {t.limb}", partial(over_time, trace=t, bare=True)) for t in traces],
         against=[{"title": f"joint {t.limb}", "svg": _panels(t, bare=True)} for t in traces],
         rows=[(str(row.line), str(row.limb), f"{row.error:.4g}", row.unit) for row in found.rows],
-        files=[file.name for file in found.made.inputs] if found.made else [],
+        made=found.made,
     )
 
 
@@ -108,22 +108,14 @@ def _figure(value: float | None) -> str:
     return "-" if value is None else f"{value:.4g}"
 
 
-def _lead(found: MotionResult | MotionDiagnosis) -> str:
-    """Return what the rigid machine alone leaves, and what friction does to its parameters."""
-    lead = f"Rms of held-out samples, without friction: {by_joint(found.final)}."
-    said = found.friction if isinstance(found, MotionResult) else None
-    return f"{lead} {said[0].upper()}{said[1:]}." if said else lead
-
-
 def _diagnosed(found: MotionDiagnosis) -> dict[str, Any]:
     """Return what only the page of a diagnosis shows."""
     names = ", ".join(dict.fromkeys([*(e.title for e in found.effects), *map(laws.title, found.laws)]))
     return {
-        "badge": found.verdict.value,
-        "verdict": report.VERDICTS[found.verdict],
-        "headline": f"Beside the rigid machine: {names}" if names else report.VERDICTS[found.verdict].capitalize(),
-        "lead": found.summary,
-        "steps": [_step(e, found.robot.places) for e in found.effects],
+        "badge": "" if found.verdict is Verdict.MISSING_PHYSICS else found.verdict.value,  # friction is no alarm
+        "verdict": figures.VERDICTS[found.verdict],
+        "headline": f"Beside the rigid machine: {names}" if names else figures.VERDICTS[found.verdict].capitalize(),
+        "steps": [(_step(e, found.robot.places), "") for e in found.effects],
         "ladder": _ladder(found.ladder),
         "stops": "; ".join(dict.fromkeys(f"{ladder.stops}" for ladder in found.ladder)).capitalize() + ".",
         "parameters": [
@@ -162,17 +154,13 @@ def _step(effect: TorqueEffect, places: Places) -> str:
 
 
 def _heldout(found: MotionResult | MotionDiagnosis) -> list[tuple[str, ...]]:
-    """Return of every joint what is left of held-out samples, before and after."""
-    before = found.baseline if isinstance(found, MotionDiagnosis) else found.final
+    """Return of every joint the held-out error: of a diagnosis without and with what was found, and filtered."""
     after = found.final
-    rows = zip(
-        before.heldout_rms_by_joint,
-        after.heldout_rms_by_joint,
-        after.heldout_rms_by_joint_filtered,
-        after.unit_by_joint,
-        strict=True,
-    )
-    return [(str(j), *map(_figure, values), unit) for j, (*values, unit) in enumerate(rows, 1)]
+    stages = (after.heldout_rms_by_joint, after.heldout_rms_by_joint_filtered)
+    if isinstance(found, MotionDiagnosis):
+        stages = (found.baseline.heldout_rms_by_joint, *stages)
+    rows = enumerate(zip(*stages, after.unit_by_joint, strict=True), 1)
+    return [(str(j), *map(_figure, values), unit) for j, (*values, unit) in rows]
 
 
 def _picture(title: str, draw: partial[None]) -> dict[str, str]:
@@ -208,7 +196,7 @@ def against(axes: np.ndarray, trace: Trace, *, bare: bool) -> None:
         axis.scatter(values, trace.error_after, s=DOT, color=AFTER, linewidths=0)
         axis.axhline(0.0, color=MUTED, linewidth=0.6)
         axis.set_xlabel(words)
-    np.ravel(axes)[0].set_ylabel("left" if trace.unit == "1" else f"left, {trace.unit}")
+    np.ravel(axes)[0].set_ylabel("residual" if trace.unit == "1" else f"residual, {trace.unit}")
 
 
 def _of(trace: Trace) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping
 from typing import Any
 
@@ -18,6 +19,8 @@ from deltacal_gen.results.plan import Plan
 from deltacal_gen.results.result import Result
 from deltacal_gen.results.study import Study
 from deltacal_gen.results.validation import Validation
+
+LONG = 28  # letters of a combination of parameters, of which a picture shows the first alone
 
 
 def plot(found: Answer) -> Sheet:
@@ -67,12 +70,18 @@ def _comparison(found: Comparison) -> Sheet:
     sizes = np.array([size for _, size in told])
     colours = [figures.BEFORE if abs(size) > found.limit_std else AFTER for size in sizes]
     axes.barh(range(len(told)), sizes, color=colours)
-    axes.set_yticks(range(len(told)), [c.name for c, _ in told])
+    axes.set_yticks(range(len(told)), [_short(c.name) for c, _ in told])
     axes.invert_yaxis()
     for end in (-found.limit_std, found.limit_std):
         axes.axvline(end, color=MUTED, lw=1, ls="--")
-    axes.set_xlabel("change, standard deviations; beyond the dashed lines it is called one")
+    axes.set_xlabel("change over its standard uncertainty; changed: beyond the dashed lines")
     return figure
+
+
+def _short(name: str) -> str:
+    """Return a long combination of parameters by its first, and how many more there are."""
+    first, *others = re.split(r" [+-] ", name)
+    return name if len(name) < LONG else f"{first} with {len(others)} others"
 
 
 def _study(found: Study) -> Sheet:

@@ -6,7 +6,6 @@ colours replaced by the stylesheet's.
 
 from __future__ import annotations
 
-import html
 import io
 import math
 import re
@@ -21,19 +20,17 @@ from deltacal_gen.pages import figures, laws
 from deltacal_gen.pages.figures import AFTER, BEFORE, INK, MUTED, RAISED, STYLE, mpl
 from deltacal_gen.pages.left import Left, in_order, left_of, spread
 from deltacal_gen.pages.left import places as places_of_readings
-from deltacal_gen.results.base import shown_in
+from deltacal_gen.results.base import Answer, shown_in
 from deltacal_gen.results.batch import Batch, alike, in_table, worst
 from deltacal_gen.results.diagnosis import (
-    Baseline,
     Diagnosis,
     Effect,
     EffectParameter,
-    Final,
     NextMeasurement,
     Verdict,
 )
-from deltacal_gen.results.document import decimals, rounded
-from deltacal_gen.results.parts import Source
+from deltacal_gen.results.document import Text, decimals, rounded
+from deltacal_gen.results.motion import MotionDiagnosis
 from deltacal_gen.results.places import Places
 from deltacal_gen.results.result import Result, Status
 
@@ -42,17 +39,6 @@ MOST_DRAWN = 60  # recordings of a batch, each with its line; of more, their dis
 FAILED = {"verdict": "failed"}  # in the columns of a recording that could not be done
 MOST_ROWS = 500  # of a table on a page: 10^5 would be 20 MB, which no browser likes
 _NUMBERS = re.compile(r"[-+\d.,eE±·∞()% ⁻⁰¹²³⁴⁵⁶⁷⁸⁹]*")
-DOUBTED = "nothing is proven to be missing"  # where there are hints
-VERDICTS = {
-    Verdict.ADEQUATE: "nothing is missing",
-    Verdict.MISSING_PHYSICS: "missing physics found",
-    Verdict.UNEXPLAINED: "unexplained mismatch",
-}
-_NOISE = {
-    Source.REPEATS: "from repeated poses",
-    Source.DECLARED: "as the recording declares it",
-    Source.RESIDUAL: "from what the fit leaves",
-}
 
 
 def diagnosis(found: Diagnosis) -> str:
@@ -65,19 +51,18 @@ def diagnosis(found: Diagnosis) -> str:
         before = {"map": "geometry alone", "channel": figures.before_title(found, channel)}
     calm = found.verdict is Verdict.ADEQUATE
     positions = found.residuals.before_mm.shape[1] == 3
-    return _rendered(
+    return page_of(
         "diagnosis",
         made=found.made,
         title=f"{machine}: diagnosis",
         machine=machine,
         found=found,
-        verdict=DOUBTED if found.verdict is Verdict.ADEQUATE and found.hints else VERDICTS[found.verdict],
+        verdict=figures.VERDICTS[found.verdict],
         headline=_headline(found),
-        lead=_lead(found),
+        told=told(found),
         steps=_steps(found),
-        improvement={"title": "", "svg": _svg(partial(figures.bars, found=found), (4.4, 1.6))},
-        noise=f"{decimals(found.noise.sigma_mm / shown_in(found)[1])} {shown_in(found)[0]}",
-        noise_of=_NOISE[found.noise.source],
+        improvement={"title": "", "svg": picture(partial(figures.bars, found=found), (4.4, 1.6))},
+        noise=f"{decimals(found.noise.sigma_mm / shown_in(found)[1])} {shown_in(found)[0]} ({found.noise.source})",
         location=sentence(found.location.text),
         channel=_pair(
             partial(figures.against, found=found, channel=channel), before.get("channel"), left, (3.9, 2.7), calm
@@ -89,7 +74,7 @@ def diagnosis(found: Diagnosis) -> str:
         else [],
         law=_law(found),
         part=places.part,
-        effects=_effects(found),
+        notes=[_note(e) for e in found.findings],
         parameters=[_parameter(e, p, places) for e in found.effects for p in e.parameters],
         orders=[
             (places.number(s.limb), str(s.order), measured(s.amplitude_deg, s.std_deg), "deg")
@@ -100,7 +85,6 @@ def diagnosis(found: Diagnosis) -> str:
         rejected=[(spaced(r.name), f"{r.gain_chi2:.0f}", r.why) for r in found.rejected],
         next=[_question(n) for n in found.next_measurements],
         not_tested=[(spaced(t.name), t.missing) for t in found.not_tested],
-        gross=", ".join(map(str, found.gross_errors)),
         readings=len(found.residuals.line),
         geometry=found.baseline.parameters,
     )
@@ -117,12 +101,12 @@ def batch(found: Batch, links: Mapping[str, str] | None = None) -> str:
     drawn = [r for r in done if r.in_mm]  # all in one unit
     picture = ""
     if len(drawn) > MOST_DRAWN:
-        picture = _svg(partial(figures.fleet_distribution, rows=drawn), (7.4, 3.2))
+        picture = picture(partial(figures.fleet_distribution, rows=drawn), (7.4, 3.2))
     elif drawn:
-        picture = _svg(partial(figures.fleet, rows=drawn), (7.4, 0.8 + 0.16 * len(drawn)))
+        picture = picture(partial(figures.fleet, rows=drawn), (7.4, 0.8 + 0.16 * len(drawn)))
     changed = [(c.machine, f"{c.to} after {c.from_}: {c.text}") for c in found.changed]
     shown = worst(rows, MOST_ROWS)
-    return _rendered(
+    return page_of(
         "batch",
         title=f"{len(rows)} recordings",
         found=found,
@@ -158,29 +142,39 @@ def calibration(found: Result) -> str:
     """Return the page of a RESULT.json."""
     machine, held, (unit, size) = found.robot.robot.name, found.heldout_rms_mm, shown_in(found)
     before, after = found.before_rms_mm / size, (found.train_rms_mm if held is None else held) / size
-    seen = "on readings that took no part in the fit" if held is not None else "on the readings of the fit"
     panels = [(figures.stages, (4.6, 2.6)), (figures.readings, (4.6, 2.6)), (figures.parameters, (4.6, 3.9))]
     if found.workspace:
         panels.append((figures.workspace, (4.6, 3.2)))
-    return _rendered(
+    return page_of(
         "calibration",
         made=found.made,
         title=f"{machine}: calibration",
-        machine=machine,
         found=found,
-        prints=found.robot.places.part == "tower",
         headline=f"{machine}: {before:.3f} {unit} before, {decimals(after)} {unit} after",
-        lead=f"As the robot file has it, the machine is off by {before:.3f} {unit} rms; calibrated as "
-        f"{found.model}, by {decimals(after)} {unit} {seen}. The noise is {decimals(found.sigma_mm / size)} {unit}, "
-        f"{_NOISE[found.sigma_source]}.",
-        pictures=[{"title": "", "svg": _svg(partial(draw, result=found), size)} for draw, size in panels],
-        left=[{"title": "", "svg": _svg(draw, size)} for draw, size in _left_panels(left_of(found))],
+        told=told(found),
+        steps=_uses(found),
+        pictures=[{"title": "", "svg": picture(partial(draw, result=found), size)} for draw, size in panels],
+        left=[{"title": "", "svg": picture(draw, size)} for draw, size in _left_panels(left_of(found))],
         parameters=_parameter_rows(found, pinned=True),
         unpinned=_parameter_rows(found, pinned=False),
         unseen=[(c.meaning or "", c.text) for c in found.unidentifiable],
-        errors=[*found.errors_told, *found.carried_told],
-        gross=", ".join(map(str, found.gross_errors or ())),
     )
+
+
+def _uses(found: Result) -> list[tuple[str, str]]:
+    """Return what to do with a calibrated machine, and what to measure besides."""
+    more = [part.words for part in found.document() if isinstance(part, Text) and part.words.startswith("+ ")]
+    if found.robot.places.part == "tower":
+        words = "New lines for the firmware (klipper, rrf or marlin):"
+        use = (words, "deltacal compensate RESULT.json --export klipper -o lines.cfg")
+    else:
+        use = ("Corrected commands:", "deltacal compensate RESULT.json targets.csv -o joints.csv")
+    return [
+        ("Check it on readings of another day:", "deltacal validate RESULT.json other_day.csv"),
+        ("Find what the residuals hold beside noise:", "deltacal diagnose ROBOT.toml RECORDING.csv -o diagnosis.json"),
+        use,
+        *((f"{sentence(words.removeprefix('+ '))}.", "") for words in more[:1]),
+    ]
 
 
 def _left_panels(left: Left | None) -> Sequence[tuple[Callable[[Any], None], tuple[float, float]]]:
@@ -190,19 +184,12 @@ def _left_panels(left: Left | None) -> Sequence[tuple[Callable[[Any], None], tup
     return drawn + [(partial(places_of_readings, left=left, view=view), (4.6, 3.4)) for view in left.views]
 
 
-def page(title: str, parts: Sequence[str]) -> str:
-    """Return a page of parts that are HTML already."""
-    return _rendered("parts", title=title, parts=parts)
-
-
-def figure(picture: Any, caption: str) -> str:
-    """Return a Matplotlib figure as SVG whose colours and type follow the page's, with its caption."""
-    return f"<figure>{_inline(picture)}<figcaption>{html.escape(caption)}</figcaption></figure>"
-
-
-def picture(draw: Callable[[Any], None], size: tuple[float, float]) -> str:
-    """Return a picture of one panel, which `draw` makes, as SVG that takes its colours and its type from the page."""
-    return _svg(draw, size)
+def told(found: Answer) -> list[Text]:
+    """Return the sentences of an answer, as a terminal shows them; what stands in lists below them has its tables."""
+    words = [part for part in found.document() if isinstance(part, Text) and not part.level]
+    if isinstance(found, Diagnosis | MotionDiagnosis):
+        return [Text(found.summary), *words[1:]]  # the verdict is the page's badge
+    return sorted((part for part in words if not part.words.endswith(":")), key=lambda part: not part.lead)
 
 
 def power(value: float) -> str:
@@ -215,20 +202,16 @@ def power(value: float) -> str:
     return f"{value / 10.0**exponent:.1f}·10{str(exponent).translate(RAISED)}"
 
 
-def page_of(template: str, **content: Any) -> str:
-    """Return a page by the name of its template."""
-    return _rendered(template, **content)
-
-
 def asset(name: str) -> str:
     """Return the stylesheet of the pages, or a part of them."""
     text: str = (_pages() / name).read_text(encoding="utf-8")
     return text
 
 
-def _rendered(template: str, **content: Any) -> str:
+def page_of(template: str, **content: Any) -> str:
+    """Return a page by the name of its template."""
     page = _environment().get_template(f"{template}.html.jinja")
-    return page.render(style=asset("style.css"), numeric=_numeric, **content)
+    return page.render(style=asset("style.css"), numeric=_numeric, sentence=sentence, **content)
 
 
 def _numeric(rows: Sequence[Sequence[object]]) -> list[bool]:
@@ -274,8 +257,8 @@ def spaced(name: str) -> str:
 
 
 def sentence(text: str) -> str:
-    """Return text that begins with a capital."""
-    return text[:1].upper() + text[1:]
+    """Return text that begins with a capital, if it begins with a word."""
+    return text[:1].upper() + text[1:] if text.partition(" ")[0].isalpha() else text
 
 
 def _headline(found: Diagnosis) -> str:
@@ -291,90 +274,39 @@ def _headline(found: Diagnosis) -> str:
     return sentence(" and ".join([*told, *(figures.named(e, places) for e in effects)]))
 
 
-def _lead(found: Diagnosis) -> str:
-    """Return what was found in two sentences."""
-    unit, size = shown_in(found)
-    figures_mm = (_heldout(found.baseline), _heldout(found.final), found.noise.sigma_mm)
-    before, after, sigma = (f"{decimals(mm / size)} {unit}" for mm in figures_mm)
-    if found.verdict is Verdict.ADEQUATE:
-        more = "Nothing else is proven" if found.hints else "Nothing else was found"
-        return f"What the geometry leaves on held-out readings, {before}, is noise. {more}."
-    if found.verdict is Verdict.UNEXPLAINED:
-        return (
-            f"Geometry alone leaves {before} on held-out readings, {after} are left in the end, and the "
-            f"noise is {sigma}. {sentence(found.location.text)}."
-        )
-    places = found.robot.places
-    told = [f"{t.target} moves by {t.expression}{laws.where(t, places)}" for law in found.laws[:1] for t in law.terms]
-    parts = "; ".join([*told, *(_in_numbers(e) + _beside(found.harmonics(e)) for e in found.findings)])
-    return (
-        f"{sentence(parts)}. With it the error on held-out readings falls from {before} to {after}; "
-        f"the noise is {sigma}."
-    )
-
-
 def _law(found: Diagnosis) -> dict[str, object] | None:
     """Return the law that was found as a page shows it."""
     if not found.laws:
         return None
     best, *others = found.laws
-    pictures = laws.drawn(best, lambda draw: _svg(draw, (6.4, 3.0)))
+    pictures = laws.drawn(best, lambda draw: picture(draw, (6.4, 3.0)))
     left = f"{decimals(best.heldout_rms_mm)} mm"
     return laws.described(best, tuple(others), left, found.robot.places, best.remainder_rms_mm) | {"pictures": pictures}
 
 
-def _heldout(fit: Baseline | Final) -> float:
-    value = fit.heldout_rms_mm
-    return float(fit.train_rms_mm if value is None else value)
+def _note(effect: Effect) -> str:
+    """Return what an effect is, how far it moves the readings, and what else it may be."""
+    moves = f"; moves the readings by up to {effect.moves_mm:.2f} mm" if effect.moves_mm else ""
+    others = ", ".join(map(spaced, effect.indistinguishable_from))
+    alike = f" At these poses it is indistinguishable from {others}." if others else ""
+    return f"{sentence(spaced(effect.name))}: {effect.title}{moves}.{alike}"
 
 
-def _in_numbers(effect: Effect) -> str:
-    """Return an effect in plain words with its values; their range where there are many."""
-    by_name: dict[str, list[EffectParameter]] = {}
-    for p in effect.parameters:
-        by_name.setdefault(p.name, []).append(p)
-    words = []
-    for name, of in by_name.items():
-        unit = "" if of[0].unit == "1" else f" {of[0].unit}"
-        values = [float(p.value) for p in of] if len(of) > 1 else []
-        value = f"{min(values):.3g} to {max(values):.3g}" if values else measured(of[0].value, of[0].std)
-        words.append(f"{spaced(name)} {value}{unit}")
-    return f"{effect.title}, {', '.join(words)}"
-
-
-def _beside(harmonics: Sequence[Effect]) -> str:
-    """Return what harmonics make of a periodic error, in words; "" where there are none."""
-    if not harmonics:
-        return ""
-    orders = sorted(order for e in harmonics for order in e.periods)
-    return f", no sine: with harmonics {', '.join(f'{order:g}' for order in orders)}"
-
-
-def _steps(found: Diagnosis) -> list[dict[str, str]]:
+def _steps(found: Diagnosis) -> list[tuple[str, str]]:
     """Return what to do now, with the command where there is one."""
-    steps: list[dict[str, str]] = []
+    steps = []
     if found.turned:
-        steps.append({"text": f"Compare the signs of the approach columns: it may be {found.turned}.", "command": ""})
+        steps.append((f"Compare the signs of the approach columns: it may be {found.turned}.", ""))
     for effect in found.findings:
-        text = f"{sentence(figures.named(effect, found.robot.places))}: {effect.advice or ''}"
-        steps.append({"text": text, "command": ""})
+        steps.append((f"{sentence(figures.named(effect, found.robot.places))}: {effect.advice or ''}", ""))
     if found.laws:
-        text = f"{laws.ADVICE} To know it by a name from now on, write it as an effect and fill in what it is:"
         again = "deltacal diagnose ROBOT.toml RECORDING.csv --write-effect NAME.py"
-        steps.append({"text": text, "command": again})
+        steps.append((f"{laws.ADVICE} To have it under a name from now on, write it as an effect file:", again))
     if found.verdict is Verdict.UNEXPLAINED:
-        steps.append(
-            {"text": "Do not extrapolate: the corrected commands hold only as far as the maps below.", "command": ""}
-        )
-    for question in found.next_measurements[:2]:
-        steps.append({"text": f"{question.text} This {question.why}.", "command": ""})
+        steps.append(("Do not extrapolate: corrected commands hold only where there are readings (maps below).", ""))
+    steps += [(f"{question.text} This {question.why}.", "") for question in found.next_measurements[:2]]
     if found.robot.joint is None:  # an open chain is not commanded by the position alone
-        steps.append(
-            {
-                "text": "Corrected joint commands:",
-                "command": "deltacal compensate DIAGNOSIS.json targets.csv -o joints.csv",
-            }
-        )
+        steps.append(("Corrected joint commands:", "deltacal compensate DIAGNOSIS.json targets.csv -o joints.csv"))
     return steps
 
 
@@ -424,18 +356,6 @@ def _question(n: NextMeasurement) -> dict[str, object]:
     }
 
 
-def _effects(found: Diagnosis) -> list[dict[str, str]]:
-    return [
-        {
-            "name": spaced(e.name),
-            "title": e.title,
-            "moves": f"{e.moves_mm:.2f}" if e.moves_mm else "",
-            "alike": ", ".join(map(spaced, e.indistinguishable_from)),
-        }
-        for e in found.effects
-    ]
-
-
 # ------------------------------------------------------------------------------------------------------- pictures
 
 
@@ -444,11 +364,11 @@ def _pair(
 ) -> list[dict[str, str]]:
     """Return the panels of both states with their titles, or of the one there is: calm where nothing is amiss."""
     states = [(False, before), (True, after)] if before is not None else [(calm, after)]
-    return [{"title": str(title), "svg": _svg(partial(draw, after=state), size)} for state, title in states]
+    return [{"title": str(title), "svg": picture(partial(draw, after=state), size)} for state, title in states]
 
 
-def _svg(draw: Callable[[Any], None], size: tuple[float, float]) -> str:
-    """Return a picture of one panel as SVG that takes its colours and its type from the page."""
+def picture(draw: Callable[[Any], None], size: tuple[float, float]) -> str:
+    """Return a picture of one panel, which `draw` makes, as SVG that takes its colours and its type from the page."""
     return panels(draw, (1, 1), size)
 
 
@@ -457,10 +377,11 @@ def panels(draw: Callable[[Any], None], grid: tuple[int, int], size: tuple[float
     with mpl.rc_context({**STYLE, "font.size": 9.5, "axes.labelsize": 9.5}):
         picture, axes = figures.sheet(*grid, size)
         draw(axes)
-        return _inline(picture)
+        return inline(picture)
 
 
-def _inline(picture: Any) -> str:
+def inline(picture: Any) -> str:
+    """Return a Matplotlib figure as SVG whose colours and type follow the page's."""
     stream = io.StringIO()
     picture.savefig(
         stream, format="svg", transparent=True, metadata=dict.fromkeys(("Date", "Creator", "Format", "Type"))

@@ -28,7 +28,7 @@ def page(found: Study) -> str:
         found=found,
         headline=f"This plan leaves {after.rms_mm:.4f} mm",
         lead=lead,
-        steps=_steps(found, advice),
+        steps=[(words, "") for words in _steps(found, advice)],
         errors=report.picture(partial(figures.before_and_after, found=position), (7.4, 2.6)),
         positions=[
             (words, f"{p.rms_mm:.4f}", f"{p.p95_mm:.4f}", f"{p.worst_p95_mm:.4f}", expected)
@@ -59,7 +59,7 @@ def _of_joints(found: Study) -> str:
         found=found,
         headline=f"{right} of {count} recordings say what is concealed in them" if count else "Nothing would be found",
         lead="These readings see what moves joints. They say nothing of lengths: no source error is calibrated.",
-        steps=_to_find(found),
+        steps=[(words, "") for words in _to_find(found)],
         **_suspected(found),
     )
 

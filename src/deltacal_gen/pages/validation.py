@@ -40,11 +40,11 @@ def page(found: Validation) -> str:
         "validation",
         title="Validation",
         found=found,
-        headline=found.headline,
+        told=report.told(found),
         unit=unit,
         norms=norms(found.iso9283, found.iso230),
         rows=[(str(row.line), f"{row.error_mm / length:.4g}") for row in found.rows],
-        files=[file.name for file in found.made.inputs] if found.made else [],
+        made=found.made,
     )
 
 
