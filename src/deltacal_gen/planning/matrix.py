@@ -22,7 +22,7 @@ from deltacal_gen.identification.identifiability import (
 )
 from deltacal_gen.inference.projection import basis, project_out
 from deltacal_gen.instrument.kind import TURN_MM, Instrument, Kind, Readings
-from deltacal_gen.instrument.kinds import MOUNTED, POINTS, kind_of
+from deltacal_gen.instrument.kinds import POINTS, kind_of
 from deltacal_gen.instrument.kinds import names as kind_names
 from deltacal_gen.machine.registry import Array, Machine, mechanism_of
 from deltacal_gen.machine.rotation import about_z
@@ -47,22 +47,6 @@ SCALINGS = {
 }
 FEWEST = 3  # poses of a ring: rule (21)
 GENERIC_POSES = 60  # without any symmetry, for what poses can see at all
-
-
-@dataclass(frozen=True)
-class Mount:
-    """Where a gauge's ends are nominally mounted: `base` in {O}, `platform` in {O'}, (3,) each [mm]."""
-
-    base: Array
-    platform: Array
-
-    @property
-    def said(self) -> Measurement:
-        """What the sidecar of the readings will say."""
-        base, platform = ((float(x), float(y), float(z)) for x, y, z in (self.base, self.platform))
-        return Measurement(
-            kind=MOUNTED, frame="robot", zero="incremental", base_point_mm=base, platform_point_mm=platform
-        )
 
 
 @dataclass(frozen=True)
@@ -94,10 +78,9 @@ class Task:
         Parameters that enter the matrix; those left out because no poses can tell them from the others.
     tools : (T, 3) array
         Reference points in {O'} [mm].
-    mount : Mount or None
-        Of a gauge.
     said : Measurement
-        What the sidecar of the readings will say: where a camera is, what of its lens is known.
+        What the sidecar of the readings will say: where a camera is, what of its lens is known; where the ends of a
+        gauge are nominally mounted.
     """
 
     robot: Robot
@@ -108,23 +91,24 @@ class Task:
     names: tuple[str, ...]
     dropped: tuple[str, ...]
     tools: Array
-    mount: Mount | None = field(default=None, kw_only=True)
     said: Measurement = field(default=Measurement(), kw_only=True)
 
     def step(self, n: int, poses: Poses, before: float = math.inf) -> Step:
         """Return the figures of a set of poses; `before` is the condition number of the last smaller one."""
-        nominal = dataclasses.replace(self, robot=_as_mounted(self.robot, kind_of(self.kind))) if self.mount else self
+        kind, corrected = kind_of(self.kind), None
+        nominal = dataclasses.replace(self, robot=_as_mounted(self.robot, kind)) if kind.mount else self
         H = nominal._columns(poses)
         figures = observability(H, len(poses))
         condition = self._condition(figures)
-        corrected = self._condition(observability(self._columns(poses), len(poses))) if self.mount else None
+        if kind.mount:
+            corrected = self._condition(observability(self._columns(poses), len(poses)))
         other = before if corrected is None else corrected
         change = abs(condition - other) / condition if math.isfinite(condition) else math.inf
         return Step(n, len(poses), len(H), figures.rank, condition, change, figures.indices, corrected)
 
     def _columns(self, poses: Poses) -> Array:
         factors, _ = column_convention(self.robot, self.names, self.scaling)
-        columns: Array = matrix_of(self.robot, poses, self.names, kind_of(self.kind), self.mount, self.said) * factors
+        columns: Array = matrix_of(self.robot, poses, self.names, kind_of(self.kind), self.said) * factors
         return columns
 
     def _condition(self, figures: Observability) -> float:
@@ -180,7 +164,7 @@ class Plan(Task):
                 lowest = "lowest" if len(self.layers) > 1 else "chosen"
                 along = f"each of {len(self.layers)} levels of the workspace, all in the same direction, from the "
                 along = f"{along}highest to the {lowest}" if mechanism_of(self.robot).limbs > 1 else "the stroke"
-                if self.mount:
+                if kind_of(self.kind).mount:
                     errors = "the gauge's errors of the robot file"
                     within = f"|k - corrected| / k, with {errors}, <= {self.threshold:g}"
                 poses = f"n evenly spaced poses along {along}; chosen is the smallest n >= {FEWEST} at which every "
@@ -249,17 +233,16 @@ class Plan(Task):
         )
 
 
-def read_mount(sidecar: str | Path) -> Mount:
-    """Return where a recording's sidecar says that the ends of its gauge are mounted."""
+def read_mount(sidecar: str | Path) -> Measurement:
+    """Return what a recording's sidecar says; raises InputError where it does not say where a gauge is mounted."""
     measurement = read_measurement(sidecar)
-    base, platform = measurement.base_point_mm, measurement.platform_point_mm
-    if base is None or platform is None:
+    if measurement.base_point_mm is None or measurement.platform_point_mm is None:
         raise MissingKey(
             "the sidecar does not say where a gauge's ends are mounted.",
             "Add base_point_mm and platform_point_mm to [measurement].",
             file=sidecar,
         )
-    return Mount(np.array(base), np.array(platform))
+    return measurement
 
 
 def generic(robot: Robot, tools: Array, kind: Kind | None = None) -> Poses:
@@ -295,25 +278,18 @@ def _reachable(robot: Robot, targets: Array, tools: Array) -> Poses:
     return reach(robot, targets[why == ""], tools)[0]
 
 
-def matrix_of(
-    robot: Robot,
-    poses: Poses,
-    names: Sequence[str],
-    kind: Kind,
-    mount: Mount | None = None,
-    said: Measurement | None = None,
-) -> Array:
-    """Return the identification matrix of readings at poses; of differences of adjacent rows at a `mount`."""
+def matrix_of(robot: Robot, poses: Poses, names: Sequence[str], kind: Kind, said: Measurement | None = None) -> Array:
+    """Return the identification matrix of readings at poses; of a gauge that of differences of adjacent rows."""
     moved = sensitivity(robot, poses, names)
-    if mount is None:
+    if said is None or not kind.mount:
         return read_of(mechanism_of(robot), kind, poses, moved, said)
-    return _mounted(robot, poses, names, kind, moved, mount)
+    return _mounted(robot, poses, names, kind, moved, said)
 
 
-def _mounted(robot: Robot, poses: Poses, names: Sequence[str], kind: Kind, moved: Array, mount: Mount) -> Array:
+def _mounted(robot: Robot, poses: Poses, names: Sequence[str], kind: Kind, moved: Array, said: Measurement) -> Array:
     """Return differences of adjacent rows of what a gauge reads, its own errors among the parameters."""
     mechanism = mechanism_of(robot)
-    found, instrument = kind.imagined(poses.x, poses.points, mechanism, mount.said)
+    found, instrument = kind.imagined(poses.x, poses.points, mechanism, said)
     others = tuple(u for u in instrument.free if u not in kind.carried(mechanism))
     instrument = dataclasses.replace(instrument, free=others).mounted(mechanism, mechanism.vector(robot.errors))
     J, J_m = instrument.linearise(found, poses.x, moved)

@@ -26,7 +26,6 @@ from deltacal_gen.planning.matrix import (
     KINDS,
     NORMS,
     SCALINGS,
-    Mount,
     Plan,
     Task,
     at_poses,
@@ -138,7 +137,7 @@ def predict(task: Task, poses: Poses, sigma_mm: float | None) -> Expected | None
     variances of its coordinates, up to a motion of the frame, which neither distances nor positions in an unknown frame
     determine.
     """
-    if sigma_mm is None or task.mount is not None:
+    if sigma_mm is None or kind_of(task.kind).mount:
         return None
     robot, names, kind, count = task.robot, task.names, kind_of(task.kind), len(poses)
     mechanism = mechanism_of(robot)
@@ -182,7 +181,6 @@ def task_of(
     tools: int | Array | Sequence[Sequence[float]] | None,
     scaling: str | None,
     norm: str,
-    mount: Mount | None = None,
     said: Measurement | None = None,
 ) -> Task:
     """Return the task of a plan, what was not said chosen by the machine: kind, scaling and reference points."""
@@ -197,17 +195,19 @@ def task_of(
             words = sorted(kind_of(n).words for n in known) if what == "kind" else known
             raise UnknownName(f"there is no {what} '{value}'; known: {', '.join(words)}.")
     names = mechanism.model(model)
-    if bool(kind_of(kind).mount) != (mount is not None):
+    said = said or Measurement()
+    if bool(kind_of(kind).mount) == (None in (said.base_point_mm, said.platform_point_mm)):
         raise OptionNotApplicable("a gauge, and nothing else, needs to know where its ends are mounted.")
-    if mount is not None:
-        tools = mount.platform[None]
+    if said.platform_point_mm is not None:
+        tools = np.array([said.platform_point_mm])
+        said = dataclasses.replace(said, kind=kind, frame="robot", zero="incremental")
     elif tools is None and (len(mechanism.axes) == 2 or mechanism.turning or kind_of(kind).rotations):
         tools = 1
     elif tools is None:
         home = reached_of(robot, rings(workspace_of(robot), 1, ()), robot.tool)
         tools = 2 if np.abs(sensitivity(robot, home, names)[:, 3:]).max(initial=0.0) > RANK_TOLERANCE else 1
     points = reference_points(robot, tools) if isinstance(tools, int) else tools_of(tools)
-    kept = _kept(robot, names, points, kind_of(kind), mount, said or Measurement())
+    kept = _kept(robot, names, points, kind_of(kind), said)
     return Task(
         robot=robot,
         model=mechanism.full_name(model),
@@ -217,17 +217,14 @@ def task_of(
         names=tuple(name for name in names if name in kept),
         dropped=tuple(name for name in names if name not in kept),
         tools=points,
-        mount=mount,
-        said=said or Measurement(),
+        said=said,
     )
 
 
-def _kept(
-    robot: Robot, names: Sequence[str], tools: Array, kind: Kind, mount: Mount | None, said: Measurement
-) -> set[str]:
+def _kept(robot: Robot, names: Sequence[str], tools: Array, kind: Kind, said: Measurement) -> set[str]:
     """Return parameters that poses can tell apart: a registered model where one fits, else those of a pivoted QR."""
     poses, typical = generic(robot, tools, kind), column_convention(robot, names, "typical")[0]
-    H = matrix_of(robot, poses, names, kind, mount, said)
+    H = matrix_of(robot, poses, names, kind, said)
     rank = observability(H * typical, len(poses)).rank
     if rank == len(names):
         return set(names)

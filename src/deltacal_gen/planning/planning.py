@@ -30,7 +30,7 @@ from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.machine.values import Measurement, Recording
 from deltacal_gen.planning import singularities
-from deltacal_gen.planning.matrix import FEWEST, Mount, Plan, Step, Task, at_poses, rule
+from deltacal_gen.planning.matrix import FEWEST, Plan, Step, Task, at_poses, rule
 from deltacal_gen.planning.optimal import bases, exchange, fewest_of, log_det_with, predict, reachable, task_of
 from deltacal_gen.planning.reach import Poses, fitting, reached_of, readable_targets
 from deltacal_gen.planning.rows import blank_recording
@@ -53,7 +53,6 @@ def plan_poses(
     threshold: float = 0.01,
     n_max: int = 30,
     sigma_mm: float | None = None,
-    mount: Mount | None = None,
     said: Measurement | None = None,
     singular: tuple[float, float] | None = None,
 ) -> Plan:
@@ -87,10 +86,9 @@ def plan_poses(
         Relative change of the condition number that the rule tolerates.
     sigma_mm : float, optional
         Noise per coordinate of a position, for the prediction.
-    mount : Mount, optional
-        Of a gauge: where its ends are.
     said : Measurement, optional
-        What the sidecar of the readings will say, of a camera: whether it is fixed, what of its lens is known.
+        What the sidecar of the readings will say: of a camera whether it is fixed, what of its lens is known; of a
+        gauge where its ends are mounted.
     singular : (float, float), optional
         Instead of rings positions drawn at random whose nearest singularity is so far away, from .. to [mm]
         (Traslosheros 2013, section 4: 50 to 100 mm).
@@ -98,7 +96,7 @@ def plan_poses(
     Raises
     ------
     UsageError
-        An unknown model, kind, scaling, norm or layer; a gauge without a mount.
+        An unknown model, kind, scaling, norm or layer; a gauge that is mounted nowhere.
     InputError
         The robot file has no workspace.
     NoSolutionError
@@ -109,7 +107,7 @@ def plan_poses(
     Bai 2015, section 3.3, rule (21): min n subject to |k_n - k_(n-1)| / k_n <= threshold, n >= 3.
     Mei 2018, section 5, rule (31): min n subject to |k_1 - k_m| / k_1 <= threshold, n >= 3, k_m of the corrected gauge.
     """
-    task = task_of(robot, model, kind, tools, scaling, norm, mount, said)
+    task = task_of(robot, model, kind, tools, scaling, norm, said)
     if n_max < FEWEST:
         raise ValueOutOfRange(f"n_max is {n_max}, but a ring has at least {FEWEST} poses.")
     drawn = None if singular is None else singularities.near(robot, singular, n_max, np.random.default_rng(0))
@@ -181,16 +179,16 @@ def _joints(task: Task, n_max: int) -> tuple[int, Sets]:
 
 def target_recording(found: Plan, path: str | Path = "poses.csv") -> Recording:
     """Return a plan's poses as a recording of targets, or of a chain's joints, with nothing measured yet."""
-    poses, mount, mechanism = found.poses, found.mount, mechanism_of(found.robot)
+    poses, mechanism = found.poses, mechanism_of(found.robot)
     kind = at_poses(found)
     recording = blank_recording(
         found.robot,
         kind.name,
         poses.joints,
         kind.columns(mechanism),
-        dataclasses.replace(found.said, kind=kind.name) if mount is None else mount.said,
+        dataclasses.replace(found.said, kind=kind.name),
         path,
-        tool=poses.tool if mount is None else None,
+        tool=None if kind.mount else poses.tool,
         targets=None if mechanism.many_ways else _with_turns(found),
     )
     return kind.laid_out(recording, poses.x, mechanism)

@@ -100,18 +100,18 @@ def plan(
         raise OptionNotApplicable(f"these are no poses: {function} plans what is measured here.")
     machine, name = _with_model(as_robot(robot), model)
     said = None if sidecar is None else read_measurement(sidecar)
-    how: dict[str, Any] = {"kind": kind or (said and said.kind), "tools": points, "singular": singular, "said": said}
+    said = said if gauge is None else matrix.read_mount(gauge)
+    kind = kind or (MOUNTED if gauge else said and said.kind)
+    how: dict[str, Any] = {"kind": kind, "tools": points, "singular": singular, "said": said}
     how |= {"scaling": scaling, "norm": norm, "sigma_mm": noise}
     options: dict[str, Any] = {
         "layers": layers and layers.split(","),
         "start_angle": None if start_angle_deg is None else start_angle_deg * DEG,
         "threshold": threshold,
         "n_max": n_max,
-        "mount": None if gauge is None else matrix.read_mount(gauge),
     }
     rings = {name: value for name, value in options.items() if value is not None}
     if optimal is None:
-        how["kind"] = how["kind"] or (gauge and MOUNTED)
         found = planning.plan_poses(machine, name, **how, **rings)
     elif gauge is not None:
         raise OptionNotApplicable("D-optimal sets are chosen for positions and distances, not for a gauge.")
