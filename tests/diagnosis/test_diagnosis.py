@@ -10,14 +10,15 @@ import numpy as np
 import pytest
 
 import deltacal_gen as dc
-from deltacal_gen.diagnosis import answer
 from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.diagnosis.findings import Named
 from deltacal_gen.diagnosis.search import Found
 from deltacal_gen.diagnosis.strategy import _first as next_of
 from deltacal_gen.diagnosis.strategy import borne_out as speak_for
+from deltacal_gen.diagnosis.words import indistinguishable
 from deltacal_gen.errors import InputError
 from deltacal_gen.files.robot import Robot
+from deltacal_gen.machine.places import places_of
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.pages import figures
 from deltacal_gen.physics.simulation import simulate
@@ -193,11 +194,11 @@ def test_play_that_varies_over_the_angle_is_placed_at_its_joint(robot: Robot) ->
 def test_what_predicts_far_worse_than_it_fits_is_told_so(robot: Robot, loose_recording: Recording) -> None:
     """A law of few readings may leave noise where it was fitted, and three times that elsewhere."""
     found = diagnose(robot, loose_recording)
-    assert "mm are left: that is noise" in found.answer().summary
+    assert "mm remain. That is measurement noise." in found.answer().summary
     before, after = found.heldout
     far = dataclasses.replace(found, heldout=(10 * before, 3 * after))
-    told = f"held-out readings {3 * after:.4f} mm are left: it is there, but more poses would tell it better."
-    assert f"With it {found.final.rms():.4f} mm are left of the readings that it was fitted to" in far.answer().summary
+    told = f"{3 * after:.4f} mm of held-out readings: it is there, but more poses would determine it better."
+    assert f"With it {found.final.rms():.4f} mm remain of the readings of the fit, " in far.answer().summary
     assert told in far.answer().summary
 
 
@@ -257,19 +258,20 @@ def test_a_periodic_error_shows_along_its_joint() -> None:
     found = diagnosis(robot, record(robot, wave, n=80))
     assert named(found) == [("transmission_eccentricity", [2])]
     assert [c["name"] for c in found["location"]["channels"]] == ["q2_deg"]
-    assert found["location"]["text"] == "the misfit depends on q2_deg, at limb 2"
+    assert found["location"]["text"] == "the residual depends on q2_deg, at limb 2"
     assert figures.main_channel(found) == "q2_deg"  # which it is drawn against
 
 
-@pytest.mark.parametrize(("lead", "odds"), [(2 * np.log(3.0), "3"), (-2 * np.log(2.0), "0.5"), (40.0, "more than 100")])
+@pytest.mark.parametrize(("lead", "odds"), [(2 * np.log(3.0), "3"), (-2 * np.log(2.0), "0.5"), (40.0, "above 100")])
 def test_how_little_speaks_for_what_is_named_is_said(lead: float, odds: str) -> None:
     spring, load = effect("joint_compliance", (2,), 0.01), effect("payload_deflection", (2,), 0.01)
     found = Named(spring, np.ones(1), 80.0, 1.0, (load,), ("thermal_zero",), 60.0, lead=lead)
+    places = places_of(machine())
     alone = dataclasses.replace(found, rivals=(), unrecorded=(), lead=np.inf)
-    assert answer._alike([alone]) == ""
-    assert answer._alike([alone, found]) == (
-        " These poses cannot tell joint_compliance from payload_deflection or thermal_zero "
-        f"(odds {odds} to 1 for it): what to measure next decides."
+    assert indistinguishable([alone], places) == ""
+    assert indistinguishable([alone, found], places) == (
+        "Indistinguishable at these poses: joint_compliance from payload_deflection, thermal_zero "
+        f"(likelihood ratio {odds})."
     )
 
 
@@ -359,9 +361,9 @@ def test_a_long_latency_is_found_as_surely_as_a_short_one() -> None:
 def test_what_nothing_says_to_be_noise_only_looks_like_it() -> None:
     said, sure = (diagnosis(machine(), record(machine(), seed=4, declared=declared)) for declared in (False, True))
     assert said["verdict"] == sure["verdict"] == "adequate"
-    assert "looks like noise" in said["summary"]
-    assert "neither repeats nor a declared sigma_mm say how large noise is" in said["summary"]
-    assert "is noise" in sure["summary"]
+    assert "looks like measurement noise" in said["summary"]
+    assert "neither repeats nor a declared sigma_mm): model error of this size cannot be excluded" in said["summary"]
+    assert "is measurement noise" in sure["summary"]
     assert "looks like" not in sure["summary"]
 
 

@@ -14,11 +14,12 @@ import pytest
 
 import deltacal_gen as dc
 from deltacal_gen.diagnosis import diagnosis
-from deltacal_gen.diagnosis.answer import Diagnosed, _unsought
+from deltacal_gen.diagnosis.answer import Diagnosed
 from deltacal_gen.diagnosis.laws import search
 from deltacal_gen.diagnosis.laws.ground import TARGETS, Ground, Tried
 from deltacal_gen.diagnosis.laws.laws import Unsure
 from deltacal_gen.diagnosis.laws.told import _Drawn, told
+from deltacal_gen.diagnosis.words import not_searched
 from deltacal_gen.estimation.fit import fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.solvers import Prior
@@ -390,7 +391,7 @@ def test_a_joint_whose_zero_wanders_is_told_as_that_and_by_no_effect_of_time() -
     assert found.verdict == "unexplained"
     assert found.effects == found.laws == ()
     assert found.location.limbs == (LIMB,)
-    assert f"limb {LIMB}, whose zero wanders" in found.location.text
+    assert f"limb {LIMB}, whose zero follows a random walk" in found.location.text
 
 
 @pytest.mark.walk
@@ -418,16 +419,16 @@ def test_what_a_law_leaves_far_above_a_declared_noise_is_no_noise() -> None:
     assert found.laws[0].terms[0].target == "limb.rod"
     assert found.final.chi2_per_dof > 10
     assert found.verdict == "unexplained"
-    assert "is noise" not in found.summary
-    assert "a law that nobody has registered" in found.summary
+    assert "is measurement noise" not in found.summary
+    assert "a formula beyond the registered effects" in found.summary
 
 
 @pytest.mark.parametrize(
     ("ends", "spectrum", "words"),
-    [(2, None, "distance between two poses"), (1, "orders", "so many orders"), (1, None, "")],
+    [(2, None, "either end of a distance"), (1, "orders", "so many orders"), (1, None, "")],
 )
 def test_where_no_law_is_looked_for_it_is_said_why(ends: int, spectrum: str | None, words: str) -> None:
     readings = SimpleNamespace(rows=np.zeros((5, ends), dtype=int))
     of: Any = SimpleNamespace(final=SimpleNamespace(problem=SimpleNamespace(readings=readings)), spectrum=spectrum)
-    assert words in _unsought(of)
-    assert bool(words) == bool(_unsought(of))
+    assert words in not_searched(of)
+    assert bool(words) == bool(not_searched(of))

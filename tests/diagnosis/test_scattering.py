@@ -55,7 +55,7 @@ def test_a_gross_error_beside_it_is_no_part_of_what_is_told() -> None:
     assert found.gross_errors == (int(made.line[17]),)
     assert found.location.limbs == (JOINT,)
     assert found.location.channels == ()
-    assert f"A mismatch of {found.final.train_rms_mm:.4f} mm is left" in found.summary
+    assert f"Residual not explained: {found.final.train_rms_mm:.4f} mm remain" in found.summary
     assert found.final.train_rms_mm < 0.1
     assert "joint 2 coming from either side" in found.next_measurements[-1].text
 

@@ -185,14 +185,14 @@ def test_what_moves_on_from_the_first_row_to_the_last_is_not_called_noise() -> N
     """A set-up shows it once: `noise that hangs together over 50 rows`, of 50, told nobody to look for what moves."""
     found = diagnose(ROBOT, null("walk", 3)).answer()
     assert found.effects == ()
-    assert "50 of 50 rows: no noise of readings, but something that moved on while they were taken" in found.summary
-    assert "looks like noise" not in found.summary
+    assert "correlated over 50 of 50 readings: no noise of readings but a slow drift" in found.summary
+    assert "looks like" not in found.summary
     gap = np.concatenate([[np.inf], np.ones(99)])
     assert Series(np.arange(100), gap, 0.98).lasts
     assert not Series(np.arange(100), gap, 0.9).lasts
     short = diagnose(ROBOT, null("AR 0.9", 3)).answer()
-    assert "hangs together over" in short.summary
-    assert "moved on" not in short.summary
+    assert "correlated over" in short.summary
+    assert "slow drift" not in short.summary
 
 
 def test_a_drift_is_no_noise() -> None:

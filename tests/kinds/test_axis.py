@@ -84,7 +84,7 @@ def test_what_few_positions_share_is_no_noise_though_many_readings_hardly_show_i
         assert found.verdict == verdict
         assert "0.0000 mm" not in found.summary
         if size:
-            assert "alike in the readings of a pose" in found.location.text
+            assert "shared by the readings of a pose" in found.location.text
 
 
 def both_ways(folder: Path, robot: Robot, profile: Array, gap: float, seed: int) -> Recording:
@@ -106,7 +106,7 @@ def test_a_profile_that_comes_back_is_no_noise_however_few_visits_show_it(robot:
         rough = 0.012 * np.random.default_rng(100 + seed).standard_normal(10)
         found = diagnose(robot, both_ways(tmp_path, robot, rough, 0.0, seed)).answer()
         assert found.verdict == "unexplained"
-        assert "alike in the readings of a pose" in found.summary
+        assert "shared by the readings of a pose" in found.summary
         plain = diagnose(robot, both_ways(tmp_path, robot, np.zeros(10), 0.0, seed)).answer()
         assert plain.verdict == "adequate"
 
@@ -115,7 +115,7 @@ def test_a_jump_where_the_axis_turned_back_may_be_the_sign_of_a_column(robot: Ro
     """Of one way forth and one back a jump between them is all that play of less than nothing does."""
     found = diagnose(robot, both_ways(tmp_path, robot, np.zeros(12), -0.003, 1)).answer()
     assert "It may be backlash" in found.summary
-    assert "backlash: what to measure next decides" not in found.summary
+    assert "Indistinguishable at these poses: backlash" not in found.summary
     for effect in found.effects:
         assert "backlash" in effect.indistinguishable_from
 
@@ -126,7 +126,7 @@ def test_an_axis_that_wanders_is_no_want_of_poses(robot: Robot, tmp_path: Path) 
     walk = np.cumsum(0.01 * rng.standard_normal(50))
     found = diagnose(robot, visits(tmp_path, robot, np.zeros(5), walk)).answer()
     assert found.verdict == "adequate"
-    assert "hangs together" in found.summary
+    assert "correlated over" in found.summary
     assert "too few" not in found.summary
 
 

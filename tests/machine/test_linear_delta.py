@@ -191,7 +191,7 @@ def test_a_session_of_seven_heights_names_no_physics_and_says_why(printer: Robot
     done = simulate(printer, recording(printer, points), {}, noise_mm=0.01, rng=rng, terms=[term])
     found = dc.diagnose(printer, done)
     assert (found["verdict"], found["effects"], found["baseline"]["model"]) == ("adequate", [], "linear_delta/6")
-    assert "7 readings carry the 6 parameters of linear_delta/6 and leave 1 to judge by" in found["summary"]
+    assert "7 readings and 6 parameters of linear_delta/6, 1 degree of freedom" in found["summary"]
     assert all("at least 25 readings" in t["missing"] for t in found["not_tested"])
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import dataclasses
 import json
 from typing import Any
 
@@ -11,12 +12,17 @@ import pytest
 
 import deltacal_gen as dc
 from deltacal_gen.app.demonstration import example
-from deltacal_gen.diagnosis.partial import with_partial_residuals
+from deltacal_gen.diagnosis.diagnosis import diagnose
+from deltacal_gen.files.recording import read_recording
+from deltacal_gen.files.robot import read_robot
+from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.pages import figures, report
 from deltacal_gen.pages.left import Left
 from deltacal_gen.physics.terms import effect_names, load_effect
+from deltacal_gen.results.diagnosis import Diagnosis, Location, Verdict
 from deltacal_gen.results.reader import read_result
 from tests.support.html import assert_self_contained, words
+from tests.support.left_out import machine, record
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
@@ -34,10 +40,12 @@ def found(diagnosed: dict[str, Any]) -> dict[str, Any]:
     return copy.deepcopy(diagnosed)
 
 
-def without_effects(found: dict[str, Any], verdict: str) -> dict[str, Any]:
-    nothing: dict[str, Any] = {"effects": [], "physics": [], "verdict": verdict}
-    nothing["location"] = {"channels": [], "limbs": [], "region": None, "text": "what is left depends on nothing"}
-    return json.loads(with_partial_residuals(read_result(found | nothing)).to_json())  # type: ignore[arg-type]
+def without_effects(verdict: str) -> Diagnosis:
+    folder = example("gearbox")
+    robot = read_robot(folder / "robot.toml")
+    found = diagnose(robot, read_recording(folder / "recording.csv", mechanism_of(robot)))
+    nothing = Location(channels=(), limbs=(), region=None, text="the residual depends on nothing")
+    return dataclasses.replace(found, effects=(), location=nothing, verdict=Verdict(verdict)).answer()
 
 
 @pytest.mark.walk
@@ -72,8 +80,8 @@ def test_what_the_effect_does_is_shown_on_the_joint_that_has_it(found: dict[str,
 
 @pytest.mark.walk
 @pytest.mark.parametrize("verdict", ["adequate", "unexplained"])
-def test_a_page_without_effects(found: dict[str, Any], verdict: str) -> None:
-    page = report.diagnosis(read_result(without_effects(found, verdict)))
+def test_a_page_without_effects(verdict: str) -> None:
+    page = report.diagnosis(without_effects(verdict))
     assert_self_contained(page)
     assert "What was found" not in words(page)
     assert page.count("<svg") == 2
@@ -101,16 +109,12 @@ def test_what_is_written_in_files_is_not_code(found: dict[str, Any]) -> None:
 
 
 @pytest.mark.walk
-def test_readings_of_one_number_have_no_map(found: dict[str, Any]) -> None:
-    residuals = found["residuals"]
-    for key in ("before_mm", "after_mm"):
-        residuals[key] = [row[:1] for row in residuals[key]]
-    found["instrument"]["kind"] = "distance"
-    again = with_partial_residuals(read_result(found))  # type: ignore[arg-type]
-    page = report.diagnosis(again)
-    assert "over the workspace" not in words(page)
-    assert again.residuals.partial is not None
-    assert (again.residuals.partial.of, again.residuals.partial.unit) == ("residual", "mm")
+def test_readings_of_one_number_have_no_map() -> None:
+    robot = machine()
+    found = diagnose(robot, record(robot, kind="distance")).answer()
+    assert "over the workspace" not in words(report.diagnosis(found))
+    assert found.residuals.partial is not None
+    assert (found.residuals.partial.of, found.residuals.partial.unit) == ("residual", "mm")
 
 
 def test_a_page_of_an_older_answer_has_no_partial_residuals(found: dict[str, Any]) -> None:
@@ -149,7 +153,7 @@ def test_channels_have_names_for_readers() -> None:
 
 @pytest.mark.walk
 def test_one_sheet_as_a_file(found: dict[str, Any], tmp_path: Any) -> None:
-    for name, data in {"a.svg": found, "b.svg": found, "c.svg": without_effects(found, "adequate")}.items():
+    for name, data in {"a.svg": found, "b.svg": found, "c.svg": without_effects("adequate")}.items():
         figures.write(read_result(data), tmp_path / name)
     assert (tmp_path / "a.svg").read_bytes() == (tmp_path / "b.svg").read_bytes()
     assert "cell 7: no model error found" in (tmp_path / "c.svg").read_text()

@@ -16,10 +16,10 @@ from deltacal_gen.diagnosis.scattering import scattering
 from deltacal_gen.diagnosis.search import Doubt, Found, Search
 from deltacal_gen.diagnosis.spectrum import Spectrum
 from deltacal_gen.diagnosis.strategy import ALIKE
-from deltacal_gen.diagnosis.structure import Region, Structure, alike, returning
+from deltacal_gen.diagnosis.structure import Region, Structure, alike
 from deltacal_gen.diagnosis.unnamed import shifts
+from deltacal_gen.diagnosis.words import located, why_not
 from deltacal_gen.estimation.fitted import Fit
-from deltacal_gen.identification.noise import alike_at_a_pose
 from deltacal_gen.identification.orders import wave
 from deltacal_gen.machine.places import place_of
 from deltacal_gen.machine.registry import Array
@@ -45,7 +45,6 @@ from deltacal_gen.units import joint_names
 # of chi2: two explanations whose expected difference is below 10 are not told apart; the difference found spreads by
 # twice its root, and two such deviations are allowed
 AMBIGUOUS = 10.0 + 4 * 10.0**0.5
-RETURNING = 0.5  # of what is left: what comes back at each visit of a pose, where it is most of it
 WARMED_WITHIN = (0.5, 0.2)  # of a session: times in which a machine that warms up comes near its end
 WARMED = 20.0  # K: by which a machine whose temperature nobody recorded may well differ from its drawing
 
@@ -95,79 +94,45 @@ def location_of(
     Where effects explain the misfit they say what it depends on; elsewhere the strongest structures do, and joints, or
     the instrument (0), that are `wandering`.
     """
-    channels: dict[str, tuple[float, float]] = {}
-    limbs: list[int] = []
     region: Region | None = None
-    unit, joints = at.problem.recording.joint_unit, at.problem.mechanism.limbs
-    names = joint_names(unit, joints)
     if explained:
-        periodic_at, charged = ({}, 0.0) if spectrum is None else (spectrum.gains, 2.0 * spectrum.corner)
-        limbs = sorted({i for n in named for i in n.term.limbs} | set(periodic_at))
-        for i, gain in periodic_at.items():
-            share = gain / (sum(periodic_at.values()) + sum(n.gain for n in named))
-            channels[names[i - 1]] = (share, chance.of(gain - charged))
-        for n in named:
-            for state in n.term.states:
-                for name in state.shown_in(unit, joints, n.term.limbs or range(1, joints + 1)):
-                    share = max(n.share, channels.get(name, (0.0, 1.0))[0])
-                    channels[name] = (share, chance.of(n.score))
+        channels = _shown_by(at, named, spectrum, chance)
+        limbs = sorted({i for n in named for i in n.term.limbs} | {*(spectrum.limbs if spectrum else ())})
     else:
-        total = float(np.nansum((np.delete(at.residual, at.gross, axis=0) / at.sigma) ** 2))
-        shows = any(s.earned > MARGIN for s in left) or alike(at)[1] > ALIKE
-        scatter = None if shows or wandering else scattering(at)
+        shows = wandering or any(s.earned > MARGIN for s in left) or alike(at)[1] > ALIKE
+        scatter = None if shows else scattering(at)
         earning = [s for s in left if s.earned > 0] if scatter is None else []
-        for s in earning:
-            channels[s.channel] = (min(s.earned / total, 1.0), float(np.exp(-min(s.earned, 1400.0) / 2)))
-        if earning:
-            limbs, region = list(earning[0].limbs), earning[0].region
+        total = float(np.nansum((np.delete(at.residual, at.gross, axis=0) / at.sigma) ** 2))
+        channels = {s.channel: (min(s.earned / total, 1.0), float(np.exp(-s.earned / 2))) for s in earning}
+        limbs = list(earning[0].limbs) if earning else [] if scatter is None else [scatter.joint]
+        region = earning[0].region if earning else None
         if wandering:
             limbs, region = [joint for joint in wandering if joint], None
-        elif scatter is not None:
-            limbs = [scatter.joint]
     ordered = sorted(channels.items(), key=lambda kv: -kv[1][0])
     first = ordered[0][0] if ordered else None
     return Location(
         channels=tuple(Channel(name=name, p_value=p, share=share) for name, (share, p) in ordered),
         limbs=tuple(limbs),
         region=None if region is None else RegionOf(centre_mm=tuple(region[0]), radius_mm=region[1]),
-        text=_where(at, first, limbs, region, explained, bool(wandering)),
+        text=located(at, first, limbs, region, explained, bool(wandering)),
     )
 
 
-def _where(
-    at: Fit, first: str | None, limbs: Sequence[int], region: Region | None, explained: bool, wandering: bool
-) -> str:
-    """Return in words where a misfit sits: the channel that it depends on first, limbs, a region, what wanders."""
-    if first is None:
-        near, proven = (0.0, 0.0) if explained else alike(at)
-        again, comes = (0.0, 0.0) if explained else returning(at)
-        text = (
-            f"what is left is alike in neighbouring poses (correlation {near:.2f})"
-            if proven > ALIKE
-            else f"what is left comes back at each visit of a pose (correlation {again:.2f}), but from one pose to the "
-            "next it jumps: poses between them would show how"
-            if comes > ALIKE and again > RETURNING
-            else "what is left goes with the points that distances share and depends on nothing that was recorded"
-            if at.repeats.rows > 1 and at.problem.readings.rows.shape[1] > 1
-            else f"what is left hangs together over {at.repeats.rows:.0f} rows and depends on nothing that was recorded"
-            if at.repeats.rows > 1
-            else "what is left is alike in the readings of a pose, but depends on nothing that was recorded"
-            if not (explained or limbs) and alike_at_a_pose(at, at.problem.recording)
-            else "what is left depends on nothing that was recorded"
-            if wandering or not limbs
-            else "what is left depends on nothing that was recorded, but moves readings as one joint does"
-        )
-    elif region is not None:
-        x, y, z = region[0]
-        text = f"the misfit sits in a region of the workspace around ({x:.0f}, {y:.0f}, {z:.0f}) mm"
-    else:
-        text = f"the misfit depends on {first}"
-    if limbs:
-        text += f", at {place_of(at.problem.body.robot, limbs)}"
-    if wandering:
-        text += ", whose zero wanders" if limbs else ": the instrument, or its stand, wanders"
-        text += " as a random walk does: its past does not foretell it"
-    return text
+def _shown_by(
+    at: Fit, named: Sequence[Named], spectrum: Spectrum | None, chance: Chance
+) -> dict[str, tuple[float, float]]:
+    """Return the channels in which what was found shows, each with its share and its p-value."""
+    unit, joints = at.problem.recording.joint_unit, at.problem.mechanism.limbs
+    channels: dict[str, tuple[float, float]] = {}
+    if spectrum is not None:
+        whole = sum(spectrum.gains.values()) + sum(n.gain for n in named)
+        for i, gain in spectrum.gains.items():
+            channels[joint_names(unit, joints)[i - 1]] = gain / whole, chance.of(gain - 2.0 * spectrum.corner)
+    for n in named:
+        for state in n.term.states:
+            for name in state.shown_in(unit, joints, n.term.limbs or range(1, joints + 1)):
+                channels[name] = max(n.share, channels.get(name, (0.0, 1.0))[0]), chance.of(n.score)
+    return channels
 
 
 def named_of(
@@ -292,19 +257,7 @@ def rejected_of(considered: Sequence[Found], named: Sequence[Named], spectrum: S
     chosen = {n.term.effect for n in named} | ({wave()} if spectrum is not None else set())
     alike = {name: n.term.effect for n in named for name in n.alike}
     return tuple(
-        Rejected(
-            name=f.term.effect,
-            gain_chi2=f.gain,
-            why=f"not told from {alike[f.term.effect]} by these poses"
-            if f.term.effect in alike
-            else f"would need {f.doubt.beyond}"
-            if f.doubt and f.score < MARGIN
-            else "earns less than the charge for its coefficients and for the search"
-            if f.score < MARGIN
-            else "explains less of the same misfit than what was named"
-            if chosen
-            else "explains part of the misfit, but does not hold",
-        )
+        Rejected(name=f.term.effect, gain_chi2=f.gain, why=why_not(f, alike.get(f.term.effect), bool(chosen)))
         for f in sorted(considered, key=lambda f: -f.gain)
         if f.term.effect not in chosen
     )

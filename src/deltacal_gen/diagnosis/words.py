@@ -1,60 +1,337 @@
-"""What was named, in words of a summary: one phrase for each effect, and one for all waves of a kind."""
+"""What a diagnosis says in sentences: its figures are known elsewhere, its words are written here and nowhere else."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
-from deltacal_gen.diagnosis.charges import several
-from deltacal_gen.diagnosis.findings import Named
-from deltacal_gen.diagnosis.harmonics import order_of, unrepeated
-from deltacal_gen.estimation.problem import Problem
-from deltacal_gen.machine.places import at
-from deltacal_gen.machine.values import Robot
+import numpy as np
+
+from deltacal_gen.diagnosis.charges import MARGIN
+from deltacal_gen.diagnosis.correction import POSITION
+from deltacal_gen.diagnosis.strategy import ALIKE
+from deltacal_gen.diagnosis.structure import alike, returning
+from deltacal_gen.estimation.fitted import Fit
+from deltacal_gen.estimation.series import Series
+from deltacal_gen.identification.drawing import filed_rms
+from deltacal_gen.identification.noise import alike_at_a_pose, noise_model
+from deltacal_gen.machine.places import place_of
+from deltacal_gen.physics.law import PREFIX
+from deltacal_gen.results.diagnosis import Diagnosis, Effect, JointFunction, Verdict
+from deltacal_gen.results.document import decimals, rounded
+from deltacal_gen.results.parts import Source, needless
+from deltacal_gen.results.places import Places
+
+if TYPE_CHECKING:
+    from deltacal_gen.diagnosis.answer import Diagnosed
+    from deltacal_gen.diagnosis.findings import Named
+    from deltacal_gen.diagnosis.search import Found
+    from deltacal_gen.diagnosis.structure import Region
+
+MOST_SHOWN = 3  # effects that are suspected; joints, and periods of each, of a smooth correction; orders of a joint
+MOST_ODDS = 100.0  # that are given as a number
+RETURNING = 0.5  # correlation of the visits of a pose from which on most of the residual belongs to the pose
+NOTHING = "depends on nothing recorded"
+SUSPECTED = 0.02  # p-value of what is worth a word though its gain does not exceed the penalty
 
 
-def effects_in_words(effects: Sequence[Named], robot: Robot, problem: Problem) -> list[str]:
-    """Return the effects that are named, waves of one kind together but for those that have harmonics.
+def summary(found: Diagnosed, answer: Diagnosis) -> str:
+    """Return one paragraph that a maintenance engineer can act on."""
+    says = {
+        Verdict.ADEQUATE: _adequate,
+        Verdict.MISSING_PHYSICS: _missing_physics,
+        Verdict.UNEXPLAINED: _unexplained,
+    }
+    sign = f"It may be {found.turned}: compare the signs of that column first." if found.turned else ""
+    doubts = [f"But {doubt}" for doubt in found.doubts]
+    parts = (sign, *says[found.verdict](found, answer), found.noise.contradiction, *doubts)
+    return " ".join(filter(None, parts))
 
-    Several waves of a joint that turned less than their period are a smooth function of its angle taken to pieces: told
-    one by one they look like so many faults, each of a size that nobody could build.
+
+def _adequate(found: Diagnosed, answer: Diagnosis) -> Sequence[str]:
+    before, names = found.heldout[0], found.baseline.problem.names
+    if found.lean:
+        scalars = found.final.problem.readings.n_scalars
+        free = scalars - len(names)
+        return (
+            f"Too few data to name an effect: {scalars} readings and {len(names)} parameters of {found.model}, {free} "
+            f"degree{'s' * (free != 1)} of freedom: the parameters absorb any other model error.",
+            f"The fit leaves {decimals(found.final.rms())} mm. Probe a mesh over the whole bed, and measure distances "
+            "on a printed object.",
+        )
+    if found.short:
+        heldout = f"{decimals(before)} mm" if np.isfinite(before) else "not known"
+        return (
+            f"No model error can be shown, but these poses are too few for {len(names)} parameters: the held-out error "
+            f"of the geometry is {heldout}, the noise {decimals(found.noise.sigma)} mm. Measure more poses.",
+        )
+    suspected = _suspected(answer)
+    asked = found.final.problem.names and not found.redrawn
+    vain = needless(filed_rms(found.final), before) if asked else ""
+    return (
+        f"No model error {'proven' if suspected else 'found'}: the calibrated geometry leaves {decimals(before)} mm on "
+        "held-out readings.",
+        _residual_is(found),
+        vain or "Use the calibrated machine.",
+        suspected,
+    )
+
+
+def _missing_physics(found: Diagnosed, answer: Diagnosis) -> Sequence[str]:
+    before, after = map(decimals, found.heldout)
+    named = _named(found, answer)
+    if found.unsure:
+        left = (
+            f"With it {decimals(found.final.rms())} mm remain of the readings of the fit, {after} mm of held-out "
+            "readings: it is there, but more poses would determine it better."
+        )
+    else:
+        left = f"With it {after} mm remain."
+    return (
+        f"Geometry alone leaves {before} mm on held-out readings.",
+        f"Effect{'s' if len(named) > 1 else ''} found: {'; '.join(named)}.",
+        left,
+        _residual_is(found),
+        indistinguishable(found.effects, answer.robot.places),
+        _suspected(answer),
+    )
+
+
+def _unexplained(found: Diagnosed, answer: Diagnosis) -> Sequence[str]:
+    named = _named(found, answer)
+    return (
+        f"Residual not explained: {decimals(found.final.rms())} mm remain that no registered effect explains"
+        f"{' if the column is right' if found.turned else ''}: {answer.location.text}.",
+        f"Proven besides: {'; '.join(named)}." if named else "",
+        indistinguishable(found.effects, answer.robot.places),
+        _suspected(answer),
+        not_searched(found),
+        _corrected(found, answer),
+    )
+
+
+# ------------------------------------------------------------------------------------------------ what was found
+
+
+def _named(found: Diagnosed, answer: Diagnosis) -> list[str]:
+    """Return a phrase for each effect, one for all waves of a kind without harmonics, and one for the formula.
+
+    Several waves of a joint that moved less than their period are a smooth function of its angle taken to pieces: one
+    by one they look like so many faults.
     """
-    told: dict[str | int, list[Named]] = {}  # in the order of what is named
-    for k, n in enumerate(effects):
-        if n.fundamental is None:
-            a_wave = several(n.term.effect) and not _harmonics(n, effects)
-            told.setdefault(n.term.effect if a_wave else k, []).append(n)
-    return [
-        _waves(some, robot, problem)
-        if isinstance(key, str)
-        else f"{_title(some[0])}{at(robot, some[0].term.limbs)}{_no_sine(some[0], effects)}"
-        for key, some in told.items()
+    places, groups = answer.robot.places, dict[str | int, list[Effect]]()
+    for k, effect in enumerate(answer.findings):
+        alone = not effect.periods or answer.harmonics(effect)
+        groups.setdefault(k if alone else effect.name, []).append(effect)
+    return [_phrase(some, answer.harmonics(some[0]), places) for some in groups.values()] + _formula(found, places)
+
+
+def _phrase(some: Sequence[Effect], harmonics: Sequence[Effect], places: Places) -> str:
+    """Return an effect, or waves of one kind, and where; of waves also which were not seen to repeat."""
+    first = some[0]
+    title, where = f"{first.title} ({first.name})", places.at(first.limbs)
+    if harmonics:
+        orders = ", ".join(f"{order:g}" for order in sorted(e.periods[0] for e in harmonics))
+        return f"{title}{where}, no sine: {first.periods[0]:g} periods a turn, with harmonics {orders}"
+    if first.standing_out is not None:
+        return f"{title} of many orders{where}{_clearest(first, places)}"
+    which = "which was"
+    unseen = [e for e in some if e.read_deg]
+    if len(some) > 1:
+        where = f" of orders {', '.join(f'{e.periods[0]:g}{places.at(e.limbs)}' for e in some)}"
+        which = f"of which {' and '.join(f'{e.periods[0]:g}' for e in unseen)} {'was' if len(unseen) == 1 else 'were'}"
+    if not unseen:
+        return f"{title}{where}"
+    joints = "that joint" if len({limb for e in unseen for limb in e.limbs}) == 1 else "each of these joints"
+    return f"{title}{where}, {which} not seen to repeat: any smooth function of {joints} may be it"
+
+
+def _clearest(effect: Effect, places: Places) -> str:
+    """Return which orders of each joint's periodic error stand out, with amplitudes and standard uncertainties."""
+    each: dict[int, list[str]] = {}
+    for s in effect.standing_out or ():
+        shown = f"{s.order} ({' +- '.join(rounded(s.amplitude_deg, s.std_deg))} deg)"
+        each.setdefault(s.limb, []).append(shown)
+    joints = [f"{places.name([limb])} {', '.join(some[:MOST_SHOWN])}" for limb, some in each.items()]
+    return f", clearest at orders: {'; '.join(joints)}" if joints else ", at no order clearly"
+
+
+def _formula(found: Diagnosed, places: Places) -> list[str]:
+    """Return the formula that was confirmed on held-out data."""
+    if not found.laws:
+        return []
+    terms = [
+        t.effect.removeprefix(PREFIX).replace(" = ", " moves by ") + places.at(t.limbs) for t in found.laws[0].terms
     ]
+    rivals = len(found.laws) - 1
+    doubt = f" ({rivals} other formula{'s' * (rivals > 1)} indistinguishable at these poses)" if rivals else ""
+    return [f"a formula beyond the registered effects: {' and '.join(terms)}{doubt}"]
 
 
-def _title(one: Named) -> str:
-    return f"{one.term.kernels.TITLE} ({one.term.effect})"
+# ------------------------------------------------------------------------------------------- how sure that is
 
 
-def _harmonics(fundamental: Named, effects: Sequence[Named]) -> list[float]:
-    return sorted(order_of(n.term) for n in effects if n.fundamental is fundamental.term)
+def indistinguishable(effects: Sequence[Named], places: Places) -> str:
+    """Return what fits as well as what is named, by how much less, and at which limbs it may be instead; "" for none.
+
+    What the sign of a column would decide is not among it.
+    """
+    each = []
+    for n in effects:
+        others = [name for name in n.alike if name not in n.turned]
+        if others and n.fundamental is None:
+            ratio = f" (likelihood ratio {_ratio(n.lead)})" if n.rivals else ""
+            each.append(f"{n.term.effect} from {', '.join(others)}{ratio}")
+        each += [f"{n.term.effect}{places.at([limb])} from one{places.at(o)}" for limb, o in n.elsewhere.items()]
+    return f"Indistinguishable at these poses: {'; '.join(each)}." if each else ""
 
 
-def _no_sine(fundamental: Named, effects: Sequence[Named]) -> str:
-    """Return that an effect is no sine, and which harmonics it has; "" of others."""
-    orders = ", ".join(f"{order:g}" for order in _harmonics(fundamental, effects))
-    return f", no sine: {order_of(fundamental.term):g} periods a turn, with harmonics {orders}" if orders else ""
+def _ratio(lead: float) -> str:
+    """Return the ratio of likelihoods, the penalty for the search in them, that a difference in chi2 stands for."""
+    ratio = float(np.exp(lead / 2))
+    return f"{ratio:.2g}" if ratio < MOST_ODDS else f"above {MOST_ODDS:.0f}"
 
 
-def _waves(some: Sequence[Named], robot: Robot, problem: Problem) -> str:
-    """Return waves of one kind, and which of them were not seen to repeat."""
-    unseen = [n for n in some if unrepeated(problem, n.term)]
-    joints = sorted({limb for n in unseen for limb in n.term.limbs})
-    of = "that joint" if len(joints) == 1 else "each of these joints"
-    if len(some) == 1:
-        repeats = f", which was not seen to repeat: any smooth function of {of} may be it" if unseen else ""
-        return f"{_title(some[0])}{at(robot, some[0].term.limbs)}{repeats}"
-    orders = [f"{order_of(n.term):g}{at(robot, n.term.limbs)}" for n in some]
-    which = " and ".join(f"{order_of(n.term):g}" for n in unseen)
-    were = "was" if len(unseen) == 1 else "were"
-    rest = f", of which {which} {were} not seen to repeat: any smooth function of {of} may be it" if unseen else ""
-    return f"{_title(some[0])} of orders {', '.join(orders)}{rest}"
+def _suspected(answer: Diagnosis) -> str:
+    """Return what is significant but not confirmed.
+
+    Where nothing is named the first is given though its gain falls short of the penalty, if chance hardly does as much.
+    """
+    calm = answer.verdict is Verdict.ADEQUATE
+    shown = [h for n, h in enumerate(answer.hints) if h.earned or (calm and n == 0 and h.p_value <= SUSPECTED)]
+    phrases = [
+        f"{h.name}{answer.robot.places.at(h.limbs)} ({''.join(f'or {o}, ' for o in h.indistinguishable_from)}"
+        f"p = {h.p_value:.1g})"
+        for h in shown[:MOST_SHOWN]
+    ]
+    more = f" and {len(shown) - MOST_SHOWN} more" if len(shown) > MOST_SHOWN else ""
+    return f"Suspected, not confirmed: {'; '.join(phrases)}{more}." if shown else ""
+
+
+# ------------------------------------------------------------------------------------------------- the residual
+
+
+def _residual_is(found: Diagnosed) -> str:
+    """Return why the residual is measurement noise, or that nothing says so."""
+    drift = drifting(found)
+    if drift is not None:
+        timed = found.final.problem.recording.time_s is not None
+        return (
+            f"The residual is correlated over {drift.rows:.0f} of {drift.rows_of_a_set_up:.0f} readings: no noise of "
+            "readings but a slow drift (of the instrument's stand, the base, a joint's zero) that nothing recorded "
+            f"explains. Measure one pose first, at intervals and last{'' if timed else ', and record time_s'}."
+        )
+    serial = noise_model(found.final, found.noise)
+    noise = "measurement noise" + (f" correlated over {serial.rows:.0f} readings" if serial.rho else "")
+    noise += f" ({found.noise.rounded})" if found.noise.rounded else ""
+    if found.noise.source is not Source.RESIDUAL:
+        return f"That is {noise}."
+    looks = f"That looks like {noise}: no pattern remains in the residual"
+    if found.noise.refuted is not None:
+        return f"{looks}."
+    return (
+        f"{looks}. The noise level is unknown (neither repeats nor a declared sigma_mm): model error of this size "
+        "cannot be excluded."
+    )
+
+
+def drifting(found: Diagnosed) -> Series | None:
+    """Return the correlation of the residual where it lasts as long as the recording; None of ordinary noise.
+
+    An instrument whose noise is declared may drift within that.
+    """
+    series, declared = found.final.repeats.series, found.noise.source is Source.DECLARED
+    return series if isinstance(series, Series) and series.lasts and not declared else None
+
+
+def located(
+    at: Fit, channel: str | None, limbs: Sequence[int], region: Region | None, explained: bool, walk: bool
+) -> str:
+    """Return where a model error sits: the channel it depends on first, limbs, a region, what follows a random walk."""
+    if region is not None:
+        x, y, z = region[0]
+        text = f"the model error sits in a region of the workspace around ({x:.0f}, {y:.0f}, {z:.0f}) mm"
+    elif channel is not None:
+        text = f"the residual depends on {channel}"
+    else:
+        text = f"the {'model error' if limbs else 'residual'} {NOTHING}" if explained or walk else _unlocated(at, limbs)
+    if limbs:
+        text += f", at {place_of(at.problem.body.robot, limbs)}"
+    if walk:
+        text += ", whose zero" if limbs else ": the instrument, or its stand,"
+        text += " follows a random walk, which its past does not predict"
+    return text
+
+
+def _unlocated(at: Fit, limbs: Sequence[int]) -> str:
+    """Return how a residual is correlated that depends on no channel."""
+    near, proven = alike(at)
+    if proven > ALIKE:
+        return f"the residual of neighbouring poses is correlated ({near:.2f})"
+    again, proven = returning(at)
+    if proven > ALIKE and again > RETURNING:
+        return (
+            f"the residual comes back at each visit of a pose (correlation {again:.2f}), but from one pose to the next "
+            "it jumps: poses between them would show how"
+        )
+    if at.repeats.rows > 1:
+        if at.problem.readings.rows.shape[1] > 1:
+            return f"the residual is shared by distances with a common point and {NOTHING}"
+        return f"the residual is correlated over {at.repeats.rows:.0f} readings and {NOTHING}"
+    if limbs:
+        return f"the residual {NOTHING}, but moves readings as one joint does"
+    alone = not alike_at_a_pose(at, at.problem.recording)
+    return f"the residual {NOTHING}" if alone else f"the residual is shared by the readings of a pose, but {NOTHING}"
+
+
+def why_not(found: Found, as_well: str | None, others: bool) -> str:
+    """Return why an effect was not named; `as_well` is a name of which it is indistinguishable."""
+    if as_well is not None:
+        return f"indistinguishable from {as_well} at these poses"
+    if found.score < MARGIN:
+        return (
+            f"would need {found.doubt.beyond}" if found.doubt else "gain within the penalty for coefficients and search"
+        )
+    if others:
+        return "explains less of the same residual than what was named"
+    return "explains part of the residual, but is not confirmed on held-out data"
+
+
+def not_searched(found: Diagnosed) -> str:
+    """Return why no formula was searched where none is given; "" where one was."""
+    if found.final.problem.readings.rows.shape[1] > 1:
+        return "No formula was searched: either end of a distance may have moved; measure positions."
+    if found.spectrum is not None:
+        return "No formula was searched: an error of so many orders imitates any function of the pose."
+    return ""
+
+
+def _corrected(found: Diagnosed, answer: Diagnosis) -> str:
+    if found.correction is None or (made := answer.correction) is None:
+        return "No smooth correction lowers the held-out error."
+    names, places, most = made.depends_on, answer.robot.places, ""
+    on = POSITION if names == (POSITION,) else f"the channel {names[0]}"
+    where = f"{names[0]} is"
+    if len(names) > 1:
+        on, where = "functions that each joint has of its own angle or travel", "joints and position are"
+        most = f" Most of it: {'; '.join(_periods(f, places) for f in made.functions[:MOST_SHOWN])}."
+        most += " No period is claimed over the recorded range."
+        if found.final.repeats.rows > 1:
+            most += " Successive readings are correlated: only the same poses on another day tell joints from time."
+    heldout = made.heldout_rms_mm
+    judged = "readings held out row by row" if found.correction.row_by_row else "held-out readings"
+    outliers = ", outliers excluded," if answer.gross_errors else ""
+    return (
+        f"A smooth correction by {on}, without physics, lowers the error of {judged}{outliers} from "
+        f"{decimals(heldout.before)} to {decimals(heldout.after)} mm; predictions use it where {where} as in this "
+        f"recording.{most}"
+    )
+
+
+def _periods(own: JointFunction, places: Places) -> str:
+    name = places.name([own.limb])
+    if own.orders is not None:
+        few = ", ".join(f"{order:.0f}" for order in own.orders[:MOST_SHOWN])
+        return f"{name} {own.joint_rms_deg:.4f} deg at about {few} waves a turn"
+    few = ", ".join(f"{wave:.1f}" for wave in (own.waves_mm or ())[:MOST_SHOWN])
+    return f"{name} {own.joint_rms_mm:.4f} mm in waves of about {few} mm"
