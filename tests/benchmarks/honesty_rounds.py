@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from deltacal_gen.diagnosis.answer import Diagnosed
-from deltacal_gen.diagnosis.designs import Duel, choose
+from deltacal_gen.diagnosis.designs import Duel, choose, least_misfit, take
 from deltacal_gen.diagnosis.diagnosis import _first, _geometry, diagnose
 from deltacal_gen.diagnosis.discrimination import CLEAR, SEED, Pool
 from deltacal_gen.diagnosis.refits import refitted
@@ -115,11 +115,10 @@ def best(begun: Start, rivals: Sequence[Term]) -> Designs | None:
 
 def _until_clear(duels: Sequence[Duel], rng: np.random.Generator) -> int:
     """Return after how many random readings the truth is parted from all rivals; all of them where it never is."""
-    before, count = min(d.wrong.misfit for d in duels), len(duels[0].shift)
+    before, count = least_misfit(duels), len(duels[0])
     for n, j in enumerate(rng.permutation(count), start=1):
-        for d in duels:
-            d.take(int(j))
-        if min(d.wrong.misfit for d in duels) >= before + CLEAR:
+        take(duels, int(j))
+        if least_misfit(duels) >= before + CLEAR:
             return n
     return count
 

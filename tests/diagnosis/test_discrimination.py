@@ -12,13 +12,13 @@ from typing import Any
 import numpy as np
 import pytest
 
+from deltacal_gen.diagnosis.designs import Duel
 from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.diagnosis.discrimination import (
     CLEAR,
     FEWEST_POSES,
     MOST_POSES,
     Question,
-    Refutation,
     candidates,
     next_measurements,
 )
@@ -225,21 +225,21 @@ def test_expected_gains_are_those_of_fitting_anew() -> None:
         b = np.concatenate([d, *shift[rows], np.zeros(6)])
         return float(np.linalg.lstsq(A, b, rcond=None)[1][0])
 
-    found = Refutation(X, d, prior)
+    found = Duel(X, d, prior, new, shift)
     assert found.misfit == pytest.approx(misfit([]), rel=1e-7)
-    assert found.gains(new, shift) == pytest.approx([misfit([k]) - misfit([]) for k in range(5)], rel=1e-6)
+    assert found.gains(range(5)) == pytest.approx([misfit([k]) - misfit([]) for k in range(5)], rel=1e-6)
     for k in (3, 1):
-        found.take(new[k], shift[k])
+        found.take(k)
     assert found.misfit == pytest.approx(misfit([3, 1]), rel=1e-7)
-    assert found.gains(new, shift) == pytest.approx([misfit([3, 1, k]) - misfit([3, 1]) for k in range(5)], rel=1e-6)
+    assert found.gains(range(5)) == pytest.approx([misfit([3, 1, k]) - misfit([3, 1]) for k in range(5)], rel=1e-6)
 
 
 def test_candidates_take_both_directions_and_loads_that_were_used() -> None:
     robot = machine()
     made = record(robot, of=channels(60, "approach", "payload", "temp", "humidity_pct"))
     found = candidates(diagnose(robot, made).final, [effect("friction_windup", (1,), 0.0)], np.random.default_rng(0))
-    assert "humidity_pct" not in found.told
-    assert "temp_C" not in found.told
+    assert "humidity_pct" not in found.shown
+    assert "temp_C" not in found.shown
     assert set(np.unique(found.problem.recording.channels["approach1"])) == {-1.0, 1.0}
     assert set(np.unique(found.problem.recording.channels["payload_kg"])) <= {0.0, 1.0, 2.0}
     assert len(found.ends) > 100

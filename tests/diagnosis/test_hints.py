@@ -14,11 +14,11 @@ from deltacal_gen.diagnosis import hints, strategy
 from deltacal_gen.diagnosis.answer import Diagnosed
 from deltacal_gen.diagnosis.charges import MARGIN
 from deltacal_gen.diagnosis.diagnosis import diagnose
-from deltacal_gen.diagnosis.discrimination import NONE_SO_FAR
 from deltacal_gen.diagnosis.evidence import MOST_WRONG, Evidence, evidence
 from deltacal_gen.diagnosis.hints import hinted
 from deltacal_gen.diagnosis.library import library
 from deltacal_gen.diagnosis.search import Search
+from deltacal_gen.diagnosis.words import no_poses
 from deltacal_gen.estimation.fit import fit
 from deltacal_gen.estimation.problem import Problem, pose_problem
 from deltacal_gen.estimation.solvers import Prior
@@ -186,7 +186,7 @@ def test_what_earned_its_price_is_in_the_summary_whatever_the_verdict(weak: Diag
 
 def test_brackets_of_a_robot_file_s_tables_are_printed(weak: Diagnosed, capsys: pytest.CaptureFixture[str]) -> None:
     """They were read as markup: `limits_deg or limits_mm under  in the robot file`."""
-    none = tuple(n.replace(poses=(), text=NONE_SO_FAR) for n in weak.next_measurements)
+    none = tuple(n.replace(poses=(), text=no_poses(False, 10.0, [], False)) for n in weak.next_measurements)
     told = dataclasses.replace(weak, next_measurements=none).answer()
     Terminal().show(told)
     assert "under [joints] in the robot file" in " ".join(capsys.readouterr().out.split())

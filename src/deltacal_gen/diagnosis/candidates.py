@@ -49,7 +49,7 @@ class Candidates:
         Rows of each reading.
     position : (C, 3) array
         Where the measured point is, at its first end [mm].
-    told : tuple of str
+    shown : tuple of str
         Columns that a proposal states, beside the joints.
     first : int
         The number of the first proposal: labels of poses that were measured are not used again.
@@ -58,7 +58,7 @@ class Candidates:
     problem: Problem
     ends: np.ndarray
     position: Array
-    told: tuple[str, ...]
+    shown: tuple[str, ...]
     first: int = 1
 
     def to_rows(self, chosen: Sequence[int]) -> list[Row]:
@@ -76,60 +76,46 @@ class Candidates:
                 row["contact"] = str(recording.contact[ends[0]])
             if recording.tool is not None:
                 row |= {f"tool_{a}_mm": float(v) for a, v in zip("xyz", recording.tool[ends[0]], strict=True)}
-            values = {name: float(recording.channels[name][ends[0]]) for name in self.told}
+            values = {name: float(recording.channels[name][ends[0]]) for name in self.shown}
             row |= {name: value for name, value in values.items() if np.isfinite(value)}
             rows.append(row)
         return rows
 
 
 def joints_of(recording: Recording, row: int, end: str = "") -> dict[str, float]:
-    """Return the joints of a row by their columns, of one end of a distance; shortened."""
-    return joint_cells(recording.joints[row], recording.joint_unit, end)
-
-
-def joint_cells(q: Array, unit: str, end: str = "") -> dict[str, float]:
-    """Return joints (n_q,) by their columns, as precise as controllers take them."""
+    """Return the joints of a row by their columns, of one end of a distance, as precise as controllers take them."""
+    q, unit = recording.joints[row].tolist(), recording.joint_unit
     names = joint_names(unit, len(q), f"q{{i}}{end}_{{unit}}")
-    return {
-        name: round(to_file(float(v), u), DECIMALS)
-        for name, v, u in zip(names, q, of_joints(unit, len(q)), strict=True)
-    }
+    return {name: round(to_file(v, u), DECIMALS) for name, v, u in zip(names, q, of_joints(unit, len(q)), strict=True)}
 
 
-def candidates(at: Fit, terms: Sequence[Term], rng: np.random.Generator, stated: Sequence[Term] = ()) -> Candidates:
+def candidates(at: Fit, terms: Sequence[Term], rng: np.random.Generator) -> Candidates:
     """Return readings that could be taken next: joints within their limits, positions where the machine works.
 
-    Channels that `terms` read take the ends of what was recorded, or of what may well be set; the commanded ones among
-    the others are as in some row of the recording. What `stated` read is told too, so that rows for several questions
-    are alike.
+    Channels that `terms` read take the ends of what was recorded, or of what may well be set, and values between for a
+    formula; the commanded ones among the others are as in some row of the recording.
     """
-    problem = at.problem
+    problem, ends = at.problem, at.problem.readings.rows.shape[1]
     recording, robot = problem.recording, problem.robot
-    like = rng.integers(recording.n_rows, size=CANDIDATES)
-    two = problem.readings.rows.shape[1] == 2
-    if two:
-        like[1::2] = like[::2]  # channels and measured point hold for both ends
-    drawn_joints = _drawn(at, problem.body.tool[like], rng)
+
+    def drawn(count: int) -> np.ndarray:
+        return np.repeat(rng.integers(count, size=CANDIDATES // ends), ends)  # the same for both ends
+
+    like = drawn(recording.n_rows)
+    tool = problem.body.tool[like]
+    joints = _drawn(at, tool, rng)
     touched = at.instrument.kind.points(at.instrument, recording)
     which = rng.integers(len(touched), size=CANDIDATES) if touched else None
     if which is not None:
-        places = np.array([p.position_mm for p in touched])[which]
-        drawn_joints = _touching(at, places, problem.body.tool[like], drawn_joints)
-    unit = np.array(joint_factors(recording.joint_unit, drawn_joints.shape[1]))
-    joints = np.round(drawn_joints / unit, DECIMALS) * unit
-    channels = {name: _given(values)[like].copy() for name, values in recording.channels.items()}
+        joints = _touching(at, np.array([p.position_mm for p in touched])[which], tool, joints)
+    unit = np.array(joint_factors(recording.joint_unit, joints.shape[1]))
+    joints = np.round(joints / unit, DECIMALS) * unit
+    channels = {name: _given(values)[like] for name, values in recording.channels.items()}
     needed, curved = columns_read(problem, terms), columns_read(problem, [t for t in terms if is_law(t.effect)])
     for name in dict.fromkeys([*needed, *(n for n in robot.limits if n in channels)]):
-        levels = _levels(problem, name)
-        if levels is not None and name in curved:
-            levels = between(problem, name, levels)
-        if levels is not None:
-            drawn = rng.choice(levels, CANDIDATES)
-            if two:
-                drawn[1::2] = drawn[::2]
-            channels[name] = drawn
-    asked = {*needed, *columns_read(problem, stated)}
-    told = [n for n in channels if n in asked or n in robot.limits or (s := of_column(n)).passes or s.commanded]
+        if (levels := levels_of(problem, name, name in curved)) is not None:
+            channels[name] = levels[drawn(len(levels))]
+    shown = [n for n in channels if n in (*needed, *robot.limits) or (s := of_column(n)).passes or s.commanded]
     rows = dataclasses.replace(
         recording,
         joints=joints,
@@ -138,28 +124,22 @@ def candidates(at: Fit, terms: Sequence[Term], rng: np.random.Generator, stated:
         line=np.arange(CANDIDATES) + 2,
         channels=channels,
         setup=np.full(CANDIDATES, recording.setup[-1]),
-        tool=None if recording.tool is None else problem.body.tool[like],
+        tool=None if recording.tool is None else tool,
         contact=None if which is None else np.array([p.name for p in touched])[which],
-        pairs=np.arange(CANDIDATES).reshape(-1, 2) if two else None,
+        pairs=np.arange(CANDIDATES).reshape(-1, 2) if ends == 2 else None,
     )
-    body = Body(
-        robot,
-        problem.mechanism,
-        robot.joint_sign * joints,
-        problem.body.tool[like],
-        dataclasses.replace(Channels.of(rows, robot), order=np.full(CANDIDATES, float(recording.n_rows))),
-    )
+    past = dataclasses.replace(Channels.of(rows, robot), order=np.full(CANDIDATES, float(recording.n_rows)))
+    body = Body(robot, problem.mechanism, robot.joint_sign * joints, tool, past)
     kind = kind_of(rows.kind)
     wanted = kind.readings(rows, np.arange(CANDIDATES)) if touched else kind.unread(rows)
     whole = dataclasses.replace(problem, recording=rows, body=body, readings=wanted)
     machine, status = body.solve(whole.split(at.errors)[0], whole.acting(at.errors))
-    fit_for_use = _allowed(problem, joints)
+    usable = np.ones(CANDIDATES, dtype=bool) if robot.joint_limits is None else _between(joints, *robot.joint_limits.T)
     if not whole.readings.kind.sees_joints:  # else joints are within their limits, wherever that leads
-        fit_for_use &= (status == SOLVED) & _inside(problem, machine.x)
-    able = np.flatnonzero(fit_for_use[whole.readings.rows].all(axis=1))
-    whole = whole.subset(able)
-    ends = whole.readings.rows
-    return Candidates(whole, ends, machine.x[ends[:, 0], :3], tuple(told), first_label(recording))
+        usable &= (status == SOLVED) & _inside(problem, machine.x)
+    whole = whole.subset(np.flatnonzero(usable[whole.readings.rows].all(axis=1)))
+    rows_of = whole.readings.rows
+    return Candidates(whole, rows_of, machine.x[rows_of[:, 0], :3], tuple(shown), first_label(recording))
 
 
 def _drawn(at: Fit, tool: Array, rng: np.random.Generator) -> Array:
@@ -199,18 +179,8 @@ def _touching(at: Fit, places: Array, tool: Array, near: Array) -> Array:
         q, _, status = mechanism.inverse(places, tool, rows)
     lower, upper = _joint_range(problem)
     joints = sign * q
-    there = (status == SOLVED) & ((joints >= lower) & (joints <= upper)).all(axis=1)
+    there = (status == SOLVED) & _between(joints, lower, upper)
     return np.where(there[:, None], joints, np.nan)
-
-
-def _allowed(problem: Problem, joints: Array) -> np.ndarray:
-    """Tell which joints (C, n_q) lie within the limits that the robot file gives."""
-    limits = problem.robot.joint_limits
-    if limits is None:
-        return np.ones(len(joints), dtype=bool)
-    lower, upper = limits.T
-    within: np.ndarray = ((joints >= lower) & (joints <= upper)).all(axis=1)
-    return within
 
 
 def within_limits(problem: Problem) -> bool:
@@ -231,14 +201,11 @@ def _joint_range(problem: Problem) -> tuple[Array, Array]:
 
 def _inside(problem: Problem, x: Array) -> np.ndarray:
     """Tell which poses (N, 12) lie where the machine works: in its workspace, or among what was measured."""
-    space = problem.robot.workspace
-    position = np.nan_to_num(x[:, :3], nan=np.inf)
+    space, position = problem.robot.workspace, np.nan_to_num(x[:, :3], nan=np.inf)
     if space is not None:
-        inside: np.ndarray = space.holds(position)
-        return inside
+        return space.holds(position)
     seen = problem.poses(problem.reference)[np.unique(problem.readings.rows), :3]
-    between: np.ndarray = ((position >= seen.min(axis=0)) & (position <= seen.max(axis=0))).all(axis=1)
-    return between
+    return _between(position, seen.min(axis=0), seen.max(axis=0))
 
 
 def _given(values: Array) -> Array:
@@ -250,44 +217,46 @@ def _given(values: Array) -> Array:
     return values[known[np.maximum(last, 0)]]
 
 
-def between(problem: Problem, name: str, ends: Array) -> Array:
-    """Return values of a channel from one end to the other, along which a curve shows: those that can be set.
+def _between(values: Array, low: Array, high: Array) -> np.ndarray:
+    """Tell which rows (N,) of values (N, k) lie between two ends (k,)."""
+    inside: np.ndarray = ((values >= low) & (values <= high)).all(axis=1)
+    return inside
 
-    Without limits in the robot file they are among those that were recorded.
+
+def levels_of(problem: Problem, name: str, curved: bool) -> Array | None:
+    """Return the values of a channel that are proposed, None where whoever measures cannot choose them.
+
+    The ends of what can be set; between them, too, along what is `curved`: any where limits are known or time passes,
+    else such as were recorded.
     """
-    channel = of_column(name)
-    if channel.levels or len(ends) > LEVELS:
+    channel, used = of_column(name), np.unique(problem.readings.rows)
+    values = problem.recording.channels.get(name)
+    seen = np.zeros(0) if values is None else np.unique(values[used][np.isfinite(values[used])])
+    ends = _ends(problem, name, seen)
+    if ends is None or not curved or channel.levels or len(ends) > LEVELS:
         return ends
-    even = np.linspace(ends.min(), ends.max(), LEVELS).round(DECIMALS)
-    seen = problem.recording.channels.get(name)
-    if name in problem.robot.limits or channel.passes or seen is None:
+    even: Array = np.linspace(ends.min(), ends.max(), LEVELS).round(DECIMALS)
+    if name in problem.robot.limits or channel.passes or not len(seen):
         return even
-    seen = np.unique(seen[np.isfinite(seen)])
     return np.unique([seen[np.argmin(np.abs(seen - v))] for v in even])
 
 
-def _levels(problem: Problem, name: str) -> Array | None:
-    """Return the values of a channel that are proposed, None where whoever measures cannot choose them."""
-    recording, channel = problem.recording, of_column(name)
-    used = np.unique(problem.readings.rows)
-    values = recording.channels.get(name)
-    seen = np.zeros(0) if values is None else np.unique(values[used][np.isfinite(values[used])])
+def _ends(problem: Problem, name: str, seen: Array) -> Array | None:
+    """Return the ends of what a channel can be set to, given the values seen (n,), sorted."""
+    channel, masses = of_column(name), problem.robot.masses
     if name in problem.robot.limits:
         return np.array(problem.robot.limits[name])
-    if channel.weighs:
-        if len(seen) > 1:
-            return seen if len(seen) <= 4 else seen[[0, -1]]
-        masses = problem.robot.masses
+    if channel.weighs and len(seen) < 2:  # the platform once more
         held = float(seen[0]) if len(seen) else 0.0
         return None if masses is None or not masses.platform else np.array([held, held + masses.platform])
-    if not len(seen):
-        return channel.default + np.array([0.0, channel.step]) if channel.step else None
+    if channel.weighs:
+        return seen if len(seen) <= 4 else seen[[0, -1]]
+    if not len(seen) or (channel.step and not channel.levels and not channel.passes and np.ptp(seen) == 0):
+        return (seen[0] if len(seen) else channel.default) + np.array([0.0, channel.step]) if channel.step else None
     if channel.levels:
         return np.array(channel.levels)
     if channel.passes:
         return np.round(seen[-1] + gap_of(seen) + np.array([0.0, LONGER * float(np.ptp(seen))]), 1)
-    if channel.step and np.ptp(seen) == 0:
-        return seen[0] + np.array([0.0, channel.step])
     return np.array([seen[0], 0.0, seen[-1]]) if channel.rests else seen[[0, -1]]
 
 
@@ -298,7 +267,7 @@ def gap_of(times: Array) -> float:
 
 def in_time(rows: Sequence[Row], recording: Recording) -> list[Row]:
     """Return rows in the order of their times, which come after those of a recording and grow from row to row."""
-    if not rows or TIME not in rows[0] or TIME not in recording.channels:
+    if TIME not in recording.channels:
         return list(rows)
     times = recording.channels[TIME]
     seen = np.unique(times[np.isfinite(times)])
@@ -308,8 +277,8 @@ def in_time(rows: Sequence[Row], recording: Recording) -> list[Row]:
 def one_by_one(rows: Sequence[Row], last: float, gap: float) -> list[Row]:
     """Return rows in the order of their times, each `gap` [s] or more after the one before: after `last` the first."""
     out: list[Row] = []
-    for row in sorted(rows, key=lambda row: float(row[TIME])):
-        last = max(float(row[TIME]), round(last + gap, 1))
+    for row in sorted(rows, key=lambda row: float(row.get(TIME, last))):
+        last = max(float(row.get(TIME, last)), round(last + gap, 1))
         out.append(row | {TIME: last})
     return out
 

@@ -22,7 +22,7 @@ from deltacal_gen.units import file_unit, to_internal
 def added_by(final: Fit, terms: Sequence[Term]) -> Array | None:
     """Return what some of the acting effects add to measured positions (R, 3) [mm].
 
-    None where readings are no positions in one frame. NaN where a coordinate was not read.
+    None where readings are no positions in one frame. 0 where a coordinate was not read.
     """
     if not _in_one_frame(final):
         return None
@@ -36,14 +36,13 @@ def added_by(final: Fit, terms: Sequence[Term]) -> Array | None:
             (problem, final.errors, final.machine),
         )
     )
-    out: Array = next(residuals) - next(residuals)
-    return out
+    return np.nan_to_num(next(residuals) - next(residuals))
 
 
 def most_moved(final: Fit, terms: Sequence[Term]) -> float | None:
     """Return by how much effects move a reading at most [mm]; None where `added_by` is."""
     added = added_by(final, terms)
-    return None if added is None else float(np.nanmax(np.linalg.norm(added, axis=1)))
+    return None if added is None else float(np.linalg.norm(added, axis=1).max())
 
 
 def partial_residuals(
@@ -62,7 +61,7 @@ def partial_residuals(
     """
     (unit, size), without = final.instrument.unit(final.problem.recording.columns) or ("mm", 1.0), None
     if strongest is not None and (added := added_by(final, strongest[1])) is not None:
-        before, without = after + np.nan_to_num(added), strongest[0]
+        before, without = after + added, strongest[0]
     if before.shape[1] == 1:
         along, of = np.ones(1) / size, "residual"
     elif len(limbs) == 1 and _in_one_frame(final):

@@ -16,8 +16,9 @@ from deltacal_gen.estimation.series import Series
 from deltacal_gen.identification.drawing import filed_rms
 from deltacal_gen.identification.noise import alike_at_a_pose, noise_model
 from deltacal_gen.machine.places import place_of
+from deltacal_gen.machine.values import Robot
 from deltacal_gen.physics.law import PREFIX
-from deltacal_gen.results.diagnosis import Diagnosis, Effect, JointFunction, Verdict
+from deltacal_gen.results.diagnosis import Diagnosis, Effect, JointFunction, Location, Verdict
 from deltacal_gen.results.document import decimals, rounded
 from deltacal_gen.results.parts import Source, needless
 from deltacal_gen.results.places import Places
@@ -335,3 +336,68 @@ def _periods(own: JointFunction, places: Places) -> str:
         return f"{name} {own.joint_rms_deg:.4f} deg at about {few} waves a turn"
     few = ", ".join(f"{wave:.1f}" for wave in (own.waves_mm or ())[:MOST_SHOWN])
     return f"{name} {own.joint_rms_mm:.4f} mm in waves of about {few} mm"
+
+
+# ------------------------------------------------------------------------------------------ what to measure next
+
+
+EXPLORES = "shows more of what no effect explains"
+AXIS_OR_INSTRUMENT = {
+    "why": "separates a profile of the axis from the instrument's own non-linearity",
+    "text": "Such readings show both alike. Turn the instrument round, or shift it along the axis, and repeat: what "
+    "moves with it is its own, what stays is the axis'.",
+}
+
+
+def more_poses(count: int) -> dict[str, str]:
+    """Return why and what to measure where readings are too few."""
+    text = (
+        f"Measure at least {count} more readings at other poses, all over the workspace: deltacal plan proposes them."
+    )
+    return {"why": "lets lesser effects show", "text": text}
+
+
+def purpose(name: str, rival: str = "") -> str:
+    """Return what a measurement is for."""
+    return f"separates {name} from {rival}" if rival else f"settles whether there is {name}"
+
+
+def measure(count: int, channels: Sequence[str]) -> str:
+    """Return how to take proposed poses, at values of channels that are given with them."""
+    those, them = ("this pose", "it") if count == 1 else (f"these {count} poses", "them")
+    values = f", with {', '.join(channels)} as given" if channels else ""
+    return f"Measure {those}{values}, without moving the instrument, and add {them}."
+
+
+def no_poses(anywhere: bool, least: float, missing: Sequence[str], of_the_instrument: bool) -> str:
+    """Return why no poses are proposed, and what would help; `least` is the difference in chi2 that is worth it."""
+    text = f"No poses {'of this machine' if anywhere else 'within the recorded joint range'} do: none promise a "
+    text += f"difference of {least:g} in chi2."
+    if not anywhere:
+        text += " State how far each joint may go (limits_deg or limits_mm under [joints] in the robot file), and "
+        text += "diagnose again."
+    text += f" Record {', '.join(missing)} and vary what is recorded." if missing else ""
+    return text + (" Hold the instrument against a length that is known." if of_the_instrument else "")
+
+
+def record_warmth(column: str, step: float, name: str, rival: str) -> str:
+    """Return how to tell an effect from one of a temperature [K] that was not recorded, or did not vary."""
+    return (
+        f"Record {column}, and repeat the poses when the machine is at least {step:g} K warmer or colder: {rival} "
+        f"follows the temperature, {name} does not."
+    )
+
+
+def explore(robot: Robot, channel: str, location: Location, recorded: bool) -> str:
+    """Return how to see more of a residual that nothing explains: in its region, along its channel, or anyhow."""
+    if not channel:
+        joint = place_of(robot, location.limbs, "joint") if len(location.limbs) == 1 else ""
+        return (
+            f"Repeat a few poses{f', {joint} coming from either side' if joint else ''}, and record what may matter: "
+            "time_s, temp_C, payload_kg and the direction in which each joint last moved (approach1 ...)."
+        )
+    if location.region is not None:
+        return "Measure these poses, in the region and around it."
+    if recorded:
+        return f"Repeat these poses at these values of {channel}: what then changes is not the pose."
+    return f"Measure these poses, evenly spread along {channel}."
