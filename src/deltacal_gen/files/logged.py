@@ -5,18 +5,16 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
-from deltacal_gen.errors import InputError, WrongUnit
+from deltacal_gen.errors import InputError, TimeOrder
+from deltacal_gen.files.rows import Rows
 from deltacal_gen.instrument.sampled import at_rate, runs_of, several_at_once
+from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.states import TIME
-
-if TYPE_CHECKING:
-    from deltacal_gen.files.rows import Rows
-    from deltacal_gen.machine.registry import Array
 
 FINE = 5.0  # counts by which a column changes at least, where it changes: it does not stand still in between
 ONE_BY_ONE = 2  # rows that say the same, of half of all: what is written more often than it is read
@@ -58,7 +56,7 @@ def increasing(
     """
 
     def error(row: int, problem: str, remedy: str) -> InputError:
-        return WrongUnit(problem, remedy, file=path, line=int(line[row]), column=TIME)
+        return TimeOrder(problem, remedy, file=path, line=int(line[row]), column=TIME)
 
     again = np.zeros(len(time), dtype=bool)
     for code, name in enumerate(names):

@@ -6,6 +6,7 @@ as much as that geometry was in force.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -23,6 +24,8 @@ ANGLES = (210.0, 330.0, 90.0)  # of the towers, where the file does not say [deg
 TOWERS = ("stepper_a", "stepper_b", "stepper_c")  # sections of a printer.cfg
 PULLEY = 40.0  # mm of belt per motor turn: 20 teeth of 2 mm, the usual one, where RepRapFirmware does not say
 DECIMALS = 6  # of mm and deg that are kept: a nanometre, a ten-thousandth of a motor's step
+NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)"  # in G-code
+_LETTER = re.compile(rf"(?<![A-Za-z])([A-Za-z])\s*({NUMBER}(?::{NUMBER})*)(?![\d.])")
 SPREAD = 0.02  # by which the arms of one printer may differ
 
 
@@ -32,6 +35,12 @@ def number(text: str, what: str, remedy: str = "Correct it.", **where: Any) -> f
     if value is None or not np.isfinite(value):
         raise PrinterFile(f"{what} is '{text.strip()}': a number was expected.", remedy, **where)
     return value
+
+
+def letters_of(code: str) -> dict[str, list[float]]:
+    """Return the numbers behind each letter of a line of G-code, of which one may have several: ``L a:b:c``."""
+    bare = re.sub(r"\(.*?\)", "", code.split(";", 1)[0])
+    return {letter.upper(): [float(v) for v in numbers.split(":")] for letter, numbers in _LETTER.findall(bare)}
 
 
 def check_delta(m665: Mapping[str, Any], remedy: str) -> None:

@@ -12,7 +12,7 @@ import dataclasses
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, TypedDict, Unpack
+from typing import TypedDict, Unpack
 
 import numpy as np
 
@@ -37,16 +37,13 @@ from deltacal_gen.files.sidecar import Sidecar, measurement_of, read_sidecar
 from deltacal_gen.instrument import kinds
 from deltacal_gen.instrument.kind import Kind
 from deltacal_gen.instrument.kinds import PAIRS, POINTS, kind_of
-from deltacal_gen.machine.machine import POSE
+from deltacal_gen.machine.registry import POSE, Machine
 from deltacal_gen.machine.rotation import from_turns, from_vector, to_vector, vector_of_quaternion
 from deltacal_gen.machine.values import POSITION, ROTATION, Recording
+from deltacal_gen.results.parts import InstrumentState
 from deltacal_gen.results.reader import TORQUE
 from deltacal_gen.states import of_column
 from deltacal_gen.units import DEG, joint_factors, joint_names
-
-if TYPE_CHECKING:
-    from deltacal_gen.machine.registry import Machine
-    from deltacal_gen.results.parts import InstrumentState
 
 NO_TURN = 1e-9  # rad: what is left of a turn of zero after somebody's arithmetic
 QUATERNION = 0.01  # by which one may be longer or shorter than 1: it was rounded

@@ -19,7 +19,7 @@ from typing import Any
 
 import numpy as np
 
-from deltacal_gen.errors import InputError, PrinterFile, naming
+from deltacal_gen.errors import PrinterFile, naming
 from deltacal_gen.files import printers
 from deltacal_gen.files.imported import Imported, beginning, write_import
 from deltacal_gen.files.robot import Robot
@@ -203,11 +203,8 @@ class Probed:
         """
         if not len(self.z) or (bent := self.bent(step)) <= EDITED or self.placed(step):
             return
-        try:
-            better = [self.usual_step()]
-        except InputError:
-            most = min(bent / CLEARLY, WRONG_STEP)
-            better = [own[1:] for own in self.usual_steps() if own[0] < most and self.placed(own[1])]
+        most = min(bent / CLEARLY, WRONG_STEP)
+        better = [own[1:] for own in self.usual_steps() if own[0] < most and self.placed(own[1])]
         if len(better) == 1:
             [(usual, belt)] = better
             raise PrinterFile(

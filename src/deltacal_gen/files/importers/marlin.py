@@ -15,21 +15,19 @@ import numpy as np
 
 from deltacal_gen.errors import PrinterFile, naming
 from deltacal_gen.files.imported import Imported, write_import
-from deltacal_gen.files.printers import check_delta, doubt_arms, from_codes
+from deltacal_gen.files.printers import NUMBER, check_delta, doubt_arms, from_codes, letters_of
 from deltacal_gen.files.toml import read_text
 from deltacal_gen.machine.registry import Array
 
-_NUMBER = r"[-+]?\d+(?:\.\d+)?"
-_LETTERS = re.compile(rf"([A-Z])\s*({_NUMBER})")
-_BED = re.compile(rf"Bed X:\s*({_NUMBER})\s+Y:\s*({_NUMBER})\s+Z:\s*({_NUMBER})")
-_CORNER = re.compile(rf"\(\s*({_NUMBER})\s*,\s*({_NUMBER})\s*\)")
+_BED = re.compile(rf"Bed X:\s*({NUMBER})\s+Y:\s*({NUMBER})\s+Z:\s*({NUMBER})")
+_CORNER = re.compile(rf"\(\s*({NUMBER})\s*,\s*({NUMBER})\s*\)")
 _G33 = {  # what a report of G33 calls what M665 and M666 set: code and letter
     "Height": ("M665", "H"),
     "Radius": ("M665", "R"),
     **{f"E{axis}": ("M666", axis.upper()) for axis in "xyz"},
     **{f"T{axis}": ("M665", axis.upper()) for axis in "xyz"},
 }
-_REPORTED = re.compile(rf"\b({'|'.join(_G33)}):\s*({_NUMBER})")
+_REPORTED = re.compile(rf"\b({'|'.join(_G33)}):\s*({NUMBER})")
 
 
 def import_marlin(path: str | Path, output: str | Path | None = None) -> Imported:
@@ -76,7 +74,7 @@ def _settings(lines: list[str]) -> dict[str, dict[str, float]]:
     said: dict[str, dict[str, float]] = {"M665": {}, "M666": {}, "M851": {}}
     for line in lines:
         if (code := re.search(r"\b(M665|M666|M851)\b(.*)", line)) is not None:
-            said[code[1]].update((letter, float(number)) for letter, number in _LETTERS.findall(code[2].split(";")[0]))
+            said[code[1]].update((letter, numbers[0]) for letter, numbers in letters_of(code[2]).items())
         for name, number in _REPORTED.findall(line):
             key, letter = _G33[name]
             said[key][letter] = float(number)
@@ -126,5 +124,5 @@ def _topography(lines: list[str]) -> Iterator[tuple[float, float, float]]:
     count = widths.pop()
     for j, cells in rows.items():
         for i, cell in enumerate(cells):
-            if re.fullmatch(_NUMBER, cell):  # a dot was not probed
+            if re.fullmatch(NUMBER, cell):  # a dot was not probed
                 yield x0 + i * (x1 - x0) / (count - 1), y0 + j * (y1 - y0) / (len(rows) - 1), float(cell)

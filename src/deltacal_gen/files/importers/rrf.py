@@ -10,7 +10,7 @@ import numpy as np
 
 from deltacal_gen.errors import PrinterFile, naming
 from deltacal_gen.files.imported import Imported, beginning, write_import
-from deltacal_gen.files.printers import check_delta, doubt_arms, from_codes, number
+from deltacal_gen.files.printers import check_delta, doubt_arms, from_codes, letters_of, number
 from deltacal_gen.files.toml import read_text
 from deltacal_gen.machine.registry import Array
 
@@ -82,20 +82,12 @@ def _gcode(path: Path) -> dict[str, dict[str, list[float]]]:
     """
     out: dict[str, dict[str, list[float]]] = {}
     for line in read_text(path).split("\n"):
-        words = re.sub(r"\(.*?\)", "", line.split(";", 1)[0]).split()
-        if not words:
+        if (found := re.match(r"\s*([A-Z]\d+)(.*)", line.upper())) is None:
             continue
-        if words[0].upper() == "M501" and (saved := path.with_name(OVERRIDE)).is_file() and path.name != OVERRIDE:
+        if found[1] == "M501" and (saved := path.with_name(OVERRIDE)).is_file() and path.name != OVERRIDE:
             for code, letters in _gcode(saved).items():
                 out.setdefault(code, {}).update(letters)
-        found: dict[str, list[float]] = {}
-        for word in words[1:]:
-            if (m := re.fullmatch(r"([A-Za-z])([-+\d.:]+)", word)) is not None:
-                try:
-                    found[m[1].upper()] = [float(v) for v in m[2].split(":")]
-                except ValueError:
-                    continue
-        out.setdefault(words[0].upper(), {}).update(found)
+        out.setdefault(found[1], {}).update(letters_of(found[2]))
     return out
 
 
