@@ -12,6 +12,7 @@ import sys
 import time
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import deltacal_gen as dc
@@ -174,6 +175,21 @@ def test_a_result_of_another_installation_says_what_is_not_here(
     assert code == 3
     assert expected in said
     assert other.name in said
+
+
+@pytest.mark.parametrize("turn", [np.diag([1, 1, -1]), -np.eye(3), 2 * np.eye(3)], ids=["mirrored", "point", "long"])
+def test_a_frame_that_is_no_rotation_is_bad_input(run: Run, result: Path, tmp_path: Path, turn: np.ndarray) -> None:
+    edited = json.loads(result.read_text())
+    edited["instrument"]["state"][0][:9] = (
+        (turn @ np.reshape(edited["instrument"]["state"][0][:9], (3, 3))).ravel().tolist()
+    )
+    other = tmp_path / "other.json"
+    other.write_text(json.dumps(edited))
+    for command in ("validate", "predict"):
+        code, _, said = run(command, other, RECORDING, *(["-o", tmp_path / "p.csv"] if command == "predict" else []))
+        assert code == 3
+        for words in ("other.json", "'instrument.state'", "mirrored or no rotation", "identify again"):
+            assert words in " ".join(said.split())
 
 
 def test_an_answer_says_what_made_it_of_which_files(run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -151,6 +151,7 @@ def test_an_instrument_survives_a_result_file(x: Array, mechanism: Machine, name
     x = looked_at(name, x)
     kept = TypeAdapter(InstrumentState).validate_json(json.dumps(at.kept(["0"], "absolute").to_dict()))
     again = instrument_of(kept)
+    again.check_state()
     assert again.kind == at.kind
     assert (again.free, again.scale, again.home, again.ties) == (at.free, at.scale, at.home, at.ties)
     assert again.predict(found, x)[0] == pytest.approx(at.predict(found, x)[0], abs=0, nan_ok=True)

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from deltacal_gen.errors import NoReadings
+from deltacal_gen.errors import InconsistentResult, NoReadings
 from deltacal_gen.instrument.facts import Facts
 from deltacal_gen.machine.registry import Array, Machine
 from deltacal_gen.machine.rotation import to_vector
@@ -32,6 +32,7 @@ if TYPE_CHECKING:
 STARTS = 20  # steps of the instrument alone, from where its file lets it stand
 TURN_MM = 100.0  # at which a measured turn of 1 rad counts as a shift: what 6D trackers read, 0.01 mm beside 0.006 deg
 STARTED = 1e-12  # of a step's square: smaller ones change nothing
+ROTATES = 1e-6  # by which products of a rotation's rows, written to a file, are off those of unit vectors
 ALL = (0, 1, 2, 3, 4, 5)  # coordinates of a body: position, rotation
 
 Frame = tuple[Array, Array]  # rotation vector [rad] and origin [mm] of {O} in the instrument's frame
@@ -264,6 +265,22 @@ class Instrument:
     def of_points(self) -> Instrument | None:
         """Return the instrument as it reads positions alone; None where it reads none."""
         return self.kind.of_points(self)
+
+    def check_state(self) -> None:
+        """Raise InconsistentResult where the state is none of this kind, or what is to be a rotation in it is none."""
+        units, at = [unit for _, unit in self.kind.unknown], 0
+        right = self.state.shape[1] == self.kind.state_size
+        while right and units:
+            step, size = (3, 9) if units[:3] == ["rad"] * 3 else (1, 1)  # a matrix stands where three turns are unknown
+            turns = self.state[:, at : at + 9].reshape(-1, 3, 3) if size == 9 else np.zeros((0, 3, 3))
+            square = np.abs(turns @ turns.mT - np.eye(3)).max(axis=(1, 2), initial=0.0) < ROTATES
+            right = bool((square & (np.linalg.det(turns) > 0)).all())
+            units, at = units[step:], at + size
+        if not right:
+            raise InconsistentResult(
+                f"'instrument.state' is no state of a {self.kind.words}: a frame in it is mirrored or no rotation.",
+                "Give the file as it was written, or identify again.",
+            )
 
     def frames(self) -> list[tuple[Array, Array]]:
         """Return per set-up the rotation vector [rad] and the origin [mm] of {O} in the instrument's frame."""

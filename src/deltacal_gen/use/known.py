@@ -53,7 +53,8 @@ def known_model(source: Given) -> Known:
             effects = [term.effect for joint in found.joints for term in joint.terms]
         else:
             effects = [term.effect for term in found.physics or ()]
-            instrument_of(found.instrument).frames()
+            for kept in (found.instrument, *([found.correction.machine.instrument] if found.correction else [])):
+                instrument_of(kept).check_state()
             unpacked(found.uncertainty.factor if found.uncertainty else np.zeros(0))
         for name in effects:
             if not is_law(name) and name not in (*effect_names(), *drive_effect_names()):
