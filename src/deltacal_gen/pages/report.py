@@ -99,11 +99,11 @@ def batch(found: Batch, links: Mapping[str, str] | None = None) -> str:
     columns = found.columns
     done = [r for r in rows if r.error is None]
     drawn = [r for r in done if r.in_mm]  # all in one unit
-    picture = ""
+    errors = ""
     if len(drawn) > MOST_DRAWN:
-        picture = picture(partial(figures.fleet_distribution, rows=drawn), (7.4, 3.2))
+        errors = picture(partial(figures.fleet_distribution, rows=drawn), (7.4, 3.2))
     elif drawn:
-        picture = picture(partial(figures.fleet, rows=drawn), (7.4, 0.8 + 0.16 * len(drawn)))
+        errors = picture(partial(figures.fleet, rows=drawn), (7.4, 0.8 + 0.16 * len(drawn)))
     changed = [(c.machine, f"{c.to} after {c.from_}: {c.text}") for c in found.changed]
     shown = worst(rows, MOST_ROWS)
     return page_of(
@@ -111,7 +111,7 @@ def batch(found: Batch, links: Mapping[str, str] | None = None) -> str:
         title=f"{len(rows)} recordings",
         found=found,
         headline=f"{len(done)} of {len(rows)} recordings done",
-        picture=picture,
+        picture=errors,
         distribution=len(drawn) > MOST_DRAWN,
         failed=[both[::-1] for both in alike([(r.recording, r.error or "") for r in failed])[:MOST_ROWS]],
         warnings=[both[::-1] for both in alike([(r.recording, r.warnings) for r in rows if r.warnings])[:MOST_ROWS]],
