@@ -19,7 +19,7 @@ import deltacal_gen as dc
 from deltacal_gen import InputError, UsageError
 from deltacal_gen.app import fleet
 from deltacal_gen.app.demonstration import example
-from deltacal_gen.app.moved import grown, moved
+from deltacal_gen.app.moved import moved
 from deltacal_gen.files.robot import robot_from_dict, robot_to_toml
 from deltacal_gen.files.writing import write_recording
 from deltacal_gen.pages import report as pages
@@ -27,6 +27,7 @@ from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.results.batch import Batch, Row
 from deltacal_gen.results.diagnosis import Diagnosis, EffectParameter, LawTerm
 from deltacal_gen.results.reader import read_answer
+from deltacal_gen.use.comparison import compare_numbers
 from tests.support.commands import Run
 from tests.support.motion_recordings import usual, written
 from tests.support.printers import LINEAR, PRINTER, grid, joints, plausible, printer_cfg, recording
@@ -114,7 +115,7 @@ def test_an_effect_that_has_grown_is_said() -> None:
         when = EffectParameter(name="time", limb=None, value=60.0 + width, std=None, unit="s")  # found, not fitted
         return found.replace(effects=(found.effects[0].replace(parameters=(part, when)),))
 
-    assert "width of backlash was 0.0200, is 0.0300 +- 0.0014 deg" in moved(diagnosis(0.02), diagnosis(0.03))
+    assert "backlash width_1 moved +0.0100 +- 0.0014 deg" in moved(diagnosis(0.02), diagnosis(0.03))
     assert "width" not in moved(diagnosis(0.02), diagnosis(0.022))
 
 
@@ -131,9 +132,10 @@ def test_each_measured_point_is_compared_with_itself() -> None:
         )
         return found.replace(effects=(found.effects[0].replace(limbs=(), parameters=points),))
 
-    assert grown(diagnosis(-1.6), diagnosis(-1.6)) == []
-    [(_, name, was, now, *_)] = grown(diagnosis(-1.6), diagnosis(2.0))
-    assert (name, was, now) == ("offset_x of (0, 107, 36)", -1.6, 2.0)
+    assert compare_numbers(diagnosis(-1.6), diagnosis(-1.6)).changed == ()
+    (changed,) = compare_numbers(diagnosis(-1.6), diagnosis(2.0)).changed
+    assert changed.name.endswith("offset_x of (0, 107, 36)")
+    assert (changed.before, changed.after) == (-1.6, 2.0)
 
 
 def test_validation_needs_a_result_and_says_so(shop: Path, tmp_path: Path) -> None:

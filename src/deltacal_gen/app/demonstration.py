@@ -18,12 +18,11 @@ from deltacal_gen.app.commands.calibration import diagnose, identify
 from deltacal_gen.files.robot import read_robot, robot_to_toml
 from deltacal_gen.files.writing import write_files
 from deltacal_gen.identification.accuracy import check_poses, workspace_of
-from deltacal_gen.machine.registry import Array
-from deltacal_gen.machine.rotation import align
 from deltacal_gen.pages import figures
 from deltacal_gen.physics.simulation import read_truth
 from deltacal_gen.physics.terms import Term
 from deltacal_gen.results.demo import Check, Concealed, ConcealedParameter, Demo
+from deltacal_gen.use.comparison import sizes_aligned
 from deltacal_gen.use.compensation import Compensator
 from deltacal_gen.use.exporters.c import export_c
 from deltacal_gen.use.prediction import calibrated_robot, known_effects
@@ -104,14 +103,7 @@ def _check(truth: Compensator, commanders: Sequence[tuple[str, Compensator]]) ->
     for name, commander in commanders:
         joints, _ = commander.command(targets, None, commander.channels(columns, n)[0])
         reached, _ = truth.reached(joints, None, truth.channels(columns, n)[0])
-        errors = np.linalg.norm(_aligned(reached, targets), axis=1)
+        errors = sizes_aligned(targets, reached)
         rms = float(np.sqrt(np.mean(errors**2)))
         rows.append(Check(model=name, rms_mm=rms, worst_mm=float(errors.max()), poses=n))
     return tuple(rows)
-
-
-def _aligned(reached: Array, wanted: Array) -> Array:
-    """Return reached minus wanted (N, 3) after the rigid motion that fits the two best."""
-    a, w = reached - reached.mean(axis=0), wanted - wanted.mean(axis=0)
-    aligned: Array = a - w @ align(w, a).T
-    return aligned

@@ -8,6 +8,7 @@ comes on top, as large as held-out readings had it. The noise of a reading is no
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -112,10 +113,7 @@ def predicted_bands(
         centres, halves = done.pair_measured[:, None], held.pair_measured[:, None]
     else:
         centres, halves = done.measured, held.measured
-    out: dict[str, Array] = {}
-    for name, centre, width in zip(band_columns(recording), centres.T, halves.T, strict=True):
-        out |= _ends(name, centre, width)
-    return out
+    return _ends(band_columns(recording), centres, halves)
 
 
 def commanded_bands(
@@ -158,18 +156,19 @@ def commanded_bands(
     scatter = known.scatter[:1] if frame == "unknown" else np.zeros(1)
     spread = _moved(result, known, at, J_p, J_m, None).spread
     half = quantile(known.degrees) * np.sqrt(spread**2 + scatter**2 + beyond[:, None] ** 2)
-    out: dict[str, Array] = {}
-    for axis in mechanism_of(calibrated_robot(result)).axes:
-        j = "xyz".index(axis)
-        out |= _ends(f"{axis}_mm", reached[:, j], half[:, j])
-    return out
+    axes = mechanism_of(calibrated_robot(result)).axes
+    read = ["xyz".index(axis) for axis in axes]
+    return _ends([f"{axis}_mm" for axis in axes], reached[:, read], half[:, read])
 
 
-def _ends(column: str, centre: Array, half: Array) -> dict[str, Array]:
-    """Return the two ends of a column's band (N,), in the units of files."""
-    unit = "rad" if column.endswith("_deg") else "mm"
-    ends = (np.array([to_file(v, unit) for v in (centre + sign * half).tolist()]) for sign in (-1, 1))
-    return dict(zip(named(column), ends, strict=True))
+def _ends(columns: Sequence[str], centres: Array, halves: Array) -> dict[str, Array]:
+    """Return the two ends of the bands of columns (N, k), in the units of files."""
+    found: dict[str, Array] = {}
+    for column, low, high in zip(columns, (centres - halves).T, (centres + halves).T, strict=True):
+        unit = "rad" if column.endswith("_deg") else "mm"
+        ends = (np.array([to_file(v, unit) for v in end.tolist()]) for end in (low, high))
+        found |= zip(named(column), ends, strict=True)
+    return found
 
 
 class Parts(NamedTuple):

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from typing import Protocol
+from typing import Any
 
 import numpy as np
 
@@ -16,29 +16,19 @@ from deltacal_gen.errors import OtherMachine, WrongFile
 from deltacal_gen.files.robot import Robot, robot_of
 from deltacal_gen.identification.accuracy import check_joints
 from deltacal_gen.machine.differences import between
-from deltacal_gen.machine.registry import SOLVED, mechanism_of
+from deltacal_gen.machine.registry import SOLVED, Array, mechanism_of
 from deltacal_gen.machine.rotation import align
 from deltacal_gen.results.comparison import Change, Comparison, Moved
+from deltacal_gen.results.diagnosis import Diagnosis, Effect, Geometry
 from deltacal_gen.results.document import rounded
-from deltacal_gen.results.motion import MotionDiagnosis, MotionResult, TorqueEffect
-from deltacal_gen.results.parts import RobotTables
-from deltacal_gen.results.result import Parameter, Result, Status
+from deltacal_gen.results.motion import MotionDiagnosis, MotionResult
+from deltacal_gen.results.result import Result, Status
 from deltacal_gen.units import file_unit, to_internal
 
 ROUNDED = 0.01  # by which factors of a combination may differ, of its largest: the poses of two sessions do
+Calibration = Result | Geometry  # a calibrated machine: the second beside a diagnosis that found nothing else
+Found = MotionResult | MotionDiagnosis | Diagnosis
 CHANCE = 0.01  # that noise alone makes any of all parameters look changed
-
-
-class Calibration(Protocol):
-    """A calibrated machine: a result, or the geometry beside a diagnosis that found nothing else."""
-
-    @property
-    def robot(self) -> RobotTables:
-        """Robot file from which it was calibrated."""
-
-    @property
-    def parameters(self) -> tuple[Parameter, ...]:
-        """Parameters found, in the order of the model."""
 
 
 def compare(before: Calibration, after: Calibration) -> Comparison:
@@ -86,8 +76,6 @@ def compare(before: Calibration, after: Calibration) -> Comparison:
 def compare_in_motion(before: MotionResult | MotionDiagnosis, after: MotionResult | MotionDiagnosis) -> Comparison:
     """Return what changed between two recordings in motion of one machine: base parameters, or friction joint by joint.
 
-    What one of two diagnoses names and the other does not is unknown: there it was too small to be seen, not nothing.
-
     Raises
     ------
     InputError
@@ -98,7 +86,15 @@ def compare_in_motion(before: MotionResult | MotionDiagnosis, after: MotionResul
             "the answers are not of one kind: of the same machine and reading, both of identify or both of diagnose.",
             "Give two sessions of one machine.",
         )
-    told = [_in_motion(r) for r in (before, after)]
+    return compare_numbers(before, after)
+
+
+def compare_numbers(before: Found, after: Found) -> Comparison:
+    """Return what changed of all that two answers of one sort state: base parameters, or those of effects and formulas.
+
+    What one of two diagnoses names and the other does not is unknown: there it was too small to be seen, not nothing.
+    """
+    told = [_numbers(r) for r in (before, after)]
     entries = []
     for name in dict.fromkeys((*told[0], *told[1])):
         unit = next(t[name][2] for t in told if name in t)
@@ -134,26 +130,33 @@ def _compared(
     )
 
 
-def _in_motion(found: MotionResult | MotionDiagnosis) -> dict[str, tuple[float, float | None, str]]:
+def _numbers(found: Found) -> dict[str, tuple[float, float | None, str]]:
     """Return value, deviation and unit of all numbers of an answer, by names that tell what and of which joint."""
+
+    def of(p: Any) -> tuple[float, float | None, str]:
+        return p.value, p.std, p.unit
+
     if isinstance(found, MotionResult):
-        of_joint = ((p.name if p.limb is None else f"{p.name} of joint {p.limb}", p) for p in found.base)
-        return {name: (p.value, p.std, p.unit) for name, p in of_joint}
+        return {p.name if p.limb is None else f"{p.name} of joint {p.limb}": of(p) for p in found.base}
     named = {
-        f"{e.name}{_order(e)} {p.label}{'' if p.limb is None else f'_{p.limb}'}": (p.value, p.std, p.unit)
+        f"{e.name}{_order(e)} {p.label}{_limb(p.limb)}": of(p)
         for e in found.effects
         for p in e.parameters
         if not isinstance(p.value, str)
     }
     return named | {
-        f"law {t.target} = {t.expression} of joint {t.limbs[0]}: {c.name}": (c.value, c.std, c.unit)
+        f"formula {t.target} = {t.expression}{_limb(t.limbs[0] if t.limbs else None)}: {c.name}{_limb(c.limb)}": of(c)
         for law in found.laws
         for t in law.terms
         for c in t.coefficients
     }
 
 
-def _order(effect: TorqueEffect) -> str:
+def _limb(limb: int | None) -> str:
+    return "" if limb is None else f"_{limb}"
+
+
+def _order(effect: Effect) -> str:
     """Return what tells two effects of one name apart."""
     return "".join(f" {order:g}" for order in dict.fromkeys(effect.periods))
 
@@ -176,8 +179,7 @@ def _moved(first: Robot, second: Robot) -> Moved | None:
     a, b = x[solved, :3], other[solved, :3]
     if not len(a):
         return None
-    turn = align(a - a.mean(axis=0), b - b.mean(axis=0))
-    off = np.linalg.norm((b - b.mean(axis=0)) - (a - a.mean(axis=0)) @ turn.T, axis=1)
+    off = sizes_aligned(a, b)
     worst = int(np.argmax(off))
     return Moved(
         rms_mm=float(np.sqrt(np.mean(off**2))),
@@ -185,6 +187,12 @@ def _moved(first: Robot, second: Robot) -> Moved | None:
         worst_at_mm=tuple(a[worst].tolist()),
         poses=len(a),
     )
+
+
+def sizes_aligned(wanted: Array, reached: Array) -> Array:
+    """Return how far (N,) reached points (N, 3) are from wanted ones after the rigid motion that fits the two best."""
+    a, b = wanted - wanted.mean(axis=0), reached - reached.mean(axis=0)
+    return np.asarray(np.linalg.norm(b - a @ align(a, b).T, axis=1))
 
 
 def _combinations(before: Calibration, after: Calibration) -> list[Change]:
@@ -219,10 +227,14 @@ def _factors(combination: str) -> dict[str, float]:
     return {name: float(factor or 1.0) * (-1.0 if sign == "-" else 1.0) for sign, factor, name in terms}
 
 
-def _summary(moved: Moved | None, changed: Sequence[Change], same: Sequence[Change], unknown: int, limit: float) -> str:
+def in_words(changed: Sequence[Change]) -> list[str]:
+    """Return changes in words: ``backlash width_2 moved +0.0100 +- 0.0014 deg``."""
     shown = (("+" * (e.change > 0) + " +- ".join(rounded(e.change, e.std)), e) for e in changed)
-    parts = [f"{e.name} moved {by} {e.unit}" for by, e in shown]
-    text = "; ".join(parts) if parts else "Nothing moved that these sessions can see"
+    return [f"{e.name} moved {by} {e.unit}" for by, e in shown]
+
+
+def _summary(moved: Moved | None, changed: Sequence[Change], same: Sequence[Change], unknown: int, limit: float) -> str:
+    text = "; ".join(in_words(changed)) or "Nothing moved that these sessions can see"
     if same:
         text += f"; the other {len(same)} stayed within {limit:.1f} standard deviations of what they were"
     if unknown:

@@ -25,7 +25,14 @@ Known = Result | Diagnosis | MotionResult | MotionDiagnosis
 
 def known_result(source: Given) -> Result | Diagnosis:
     """Return what `identify` or `diagnose` found of a machine at rest; see `known_model`."""
-    return _at_rest(known_model(source), source)
+    found = known_model(source)
+    if isinstance(found, MotionModel):
+        raise WrongFile(
+            "this is of a recording in motion, kind torque: it tells torques, and no geometry.",
+            "predict, validate and compare take it; for this, give what was made of a recording of positions.",
+            file=None if isinstance(source, Mapping) else Path(source),
+        )
+    return found
 
 
 def known_diagnosis(source: Given) -> Diagnosis:
@@ -61,21 +68,8 @@ def known_model(source: Given) -> Known:
                 raise BadValue(f"there is no effect '{name}'.", "Add its file, and run deltacal kernels.")
             load_effect(name)
     except (InputError, ValueError) as error:  # the second of a formula, a rotation or a triangle that is none
-        said = (
-            error
-            if isinstance(error, InputError)
-            else InconsistentResult(f"{error}.", "Give the file as it was written.")
-        )
+        written = InconsistentResult(f"{error}.", "Give the file as it was written.")
+        said = error if isinstance(error, InputError) else written
         file = None if isinstance(source, Mapping) else Path(source)
         raise InconsistentResult(said.problem, said.remedy, file=file, line=said.line, column=said.column) from None
-    return found
-
-
-def _at_rest(found: Known, source: Given) -> Result | Diagnosis:
-    if isinstance(found, MotionModel):
-        raise WrongFile(
-            "this is of a recording in motion, kind torque: it tells torques, and no geometry.",
-            "predict, validate and compare take it; for this, give what was made of a recording of positions.",
-            file=None if isinstance(source, Mapping) else Path(source),
-        )
     return found

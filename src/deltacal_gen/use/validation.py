@@ -38,7 +38,6 @@ from deltacal_gen.use.prediction import (
     unknown_setups,
 )
 
-__all__ = ["calibrated_robot", "has_place", "validate"]
 Why = Literal["unknown", "elsewhere"]
 WORST = 10  # readings that are listed
 FOLDS = 10  # in which poses are left out of the placing

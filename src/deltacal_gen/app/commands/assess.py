@@ -54,12 +54,13 @@ def validate(result: Given, recording: AnyRecording, *, report: Source | None = 
     from deltacal_gen.results.motion import MotionModel
     from deltacal_gen.use import validation
     from deltacal_gen.use.known import known_model
+    from deltacal_gen.use.prediction import calibrated_robot
 
     check_output(report, result, recording, ending=(".html",))
     known = known_model(result)
     if isinstance(known, MotionModel):
         return cast("Validation", _validated_in_motion(known, recording, report, made(result, recording)))
-    robot = validation.calibrated_robot(known)
+    robot = calibrated_robot(known)
     given = as_known(known, recording, robot)
     own = made(result, recording, measured=given)
     seen = True if _seen(own, known.made) else None
