@@ -9,6 +9,7 @@ from __future__ import annotations
 import contextlib
 import csv
 import re
+import tomllib
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
@@ -16,6 +17,7 @@ from contextvars import ContextVar, Token
 from dataclasses import dataclass
 from datetime import UTC, datetime, time
 from pathlib import Path
+from typing import Any
 
 from deltacal_gen.errors import DecimalMark, FileFormat, UnknownName, WrongUnit
 from deltacal_gen.files.columns import DRIVE, JOINT, RESERVED, is_channel
@@ -33,42 +35,11 @@ _MOMENT = re.compile(r"(date_?)?time(_?stamp)?|date|stamp")  # names of columns 
 _DOTTED = re.compile(r"(?P<day>\d{1,2})\.(?P<month>\d{1,2})\.(?P<year>\d{4})[ T](?P<rest>.*)")  # the day is first
 _SLASHED = re.compile(r"\d{4}/\d\d/\d\d[ T]")  # the year is first; 1/2/2026 is the one here and the other there
 LABELS = {"pose", "setup", "contact", "pose_a", "pose_b", "run"}
-_DEG, _MM = {"deg": 1.0, "rad": 57.29577951308232}, {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4, "um": 1e-3}
-_UNITS: tuple[tuple[re.Pattern[str], str, dict[str, float]], ...] = (  # of columns, unit in files, factors to it
-    (re.compile(r"q\d+[ab]?"), "deg", _DEG),
-    (re.compile(r"q\d+[ab]?"), "mm", _MM),
-    (re.compile(r"(tool_)?[xyz]|distance|gauge|height"), "mm", _MM),
-    (re.compile(r"r[xyz]"), "deg", _DEG),
-    (re.compile(r"qd\d+"), "deg_s", {f"{u}_s": f for u, f in _DEG.items()}),
-    (re.compile(r"qd\d+"), "mm_s", {f"{u}_s": f for u, f in _MM.items()}),
-    (re.compile(r"qdd\d+"), "deg_s2", {f"{u}_s2": f for u, f in _DEG.items()}),
-    (re.compile(r"qdd\d+"), "mm_s2", {f"{u}_s2": f for u, f in _MM.items()}),
-    (re.compile(r"tau\d+"), "Nm", {"nm": 1.0, "mnm": 1e-3, "nmm": 1e-3, "ncm": 1e-2, "knm": 1e3}),
-    (re.compile(r"tau\d+"), "N", {"n": 1.0, "kn": 1e3}),
-    (re.compile(r"current\d+"), "A", {"a": 1.0, "ma": 1e-3}),
-    (re.compile(r"time"), "s", {"s": 1.0, "ms": 1e-3, "min": 60.0, "h": 3600.0}),
-    (re.compile(r"payload"), "kg", {"kg": 1.0, "g": 1e-3, "lb": 0.45359237}),
-    (re.compile(r"temp(_\w+)?"), "C", {"c": 1.0, "k": 1.0, "f": 5 / 9}),
-)
-_ABOVE = {"k": -273.15, "f": -160 / 9}  # what is added to a number in units that do not begin at the same zero
-_SPELLINGS = {  # units as people write them
-    "deg": ("°", "degree", "degrees"),
-    "rad": ("radian", "radians"),
-    "in": ("inch", "inches", '"'),
-    "um": ("µm", "μm", "micron"),
-    "m": ("meter", "metre", "meters", "metres"),
-    "mm": ("millimeter", "millimetre", "millimeters", "millimetres"),
-    "cm": ("centimeter", "centimetre", "centimeters", "centimetres"),
-    "s": ("sec",),
-    "nm": ("n m", "n·m", "n*m", "n.m"),
-    "a": ("ampere", "amperes", "amp", "amps"),
-    "c": ("°c", "degc", "celsius"),
-    "k": ("kelvin",),
-    "f": ("°f", "degf", "fahrenheit"),
-    **{f"{u}_s": (f"{u}/s",) for u in ("deg", "rad", "mm", "m")},
-    **{f"{u}_s2": (f"{u}/s^2",) for u in ("deg", "rad", "mm", "m")},
-}
-_SPELT = {spelling: unit for unit, spellings in _SPELLINGS.items() for spelling in spellings}
+_TABLE: dict[str, dict[str, Any]] = tomllib.loads(Path(__file__).with_name("units.toml").read_text("utf-8"))
+_FACTORS, _ABOVE = _TABLE["factors"], _TABLE["above"]
+_UNITS = [(re.compile(name), own, _FACTORS[own]) for name, units in _TABLE["columns"].items() for own in units]
+_SPELT = {spelling: unit for unit, spellings in _TABLE["spellings"].items() for spelling in spellings}
+_MM: dict[str, float] = _FACTORS["mm"]
 _NO_UNIT = {"", "-", "none", "text", "name"}
 _COMMA = re.compile(r"[-+]?\d+,\d+(?:[eE][-+]?\d+)?")
 _WITH_COMMA = re.compile(r"[-+]?(?:\d*,\d+|\d+,)(?:[eE][-+]?\d+)?")
