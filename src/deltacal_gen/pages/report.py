@@ -97,8 +97,7 @@ def batch(found: Batch, links: Mapping[str, str] | None = None) -> str:
     """
     rows, failed = found.rows, [r for r in found.rows if r.error is not None]
     columns = found.columns
-    done = [r for r in rows if r.error is None]
-    drawn = [r for r in done if r.in_mm]  # all in one unit
+    drawn = [r for r in rows if r.in_mm]  # all in one unit
     errors = ""
     if len(drawn) > MOST_DRAWN:
         errors = picture(partial(figures.fleet_distribution, rows=drawn), (7.4, 3.2))
@@ -110,8 +109,9 @@ def batch(found: Batch, links: Mapping[str, str] | None = None) -> str:
         "batch",
         title=f"{len(rows)} recordings",
         found=found,
-        headline=f"{len(done)} of {len(rows)} recordings done",
+        headline=f"{len(rows) - len(failed)} of {len(rows)} recordings done",
         picture=errors,
+        verdicts=figures.VERDICTS,
         distribution=len(drawn) > MOST_DRAWN,
         failed=[both[::-1] for both in alike([(r.recording, r.error or "") for r in failed])[:MOST_ROWS]],
         warnings=[both[::-1] for both in alike([(r.recording, r.warnings) for r in rows if r.warnings])[:MOST_ROWS]],

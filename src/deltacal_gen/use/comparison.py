@@ -145,7 +145,7 @@ def _numbers(found: Found) -> dict[str, tuple[float, float | None, str]]:
         if not isinstance(p.value, str)
     }
     return named | {
-        f"formula {t.target} = {t.expression}{_limb(t.limbs[0] if t.limbs else None)}: {c.name}{_limb(c.limb)}": of(c)
+        f"formula {t.target} = {t.expression}: {c.name}{_limb(c.limb or next(iter(t.limbs), None))}": of(c)
         for law in found.laws
         for t in law.terms
         for c in t.coefficients
