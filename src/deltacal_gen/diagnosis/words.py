@@ -17,7 +17,6 @@ from deltacal_gen.identification.drawing import filed_rms
 from deltacal_gen.identification.noise import alike_at_a_pose, noise_model
 from deltacal_gen.machine.places import place_of
 from deltacal_gen.machine.values import Robot
-from deltacal_gen.physics.law import PREFIX
 from deltacal_gen.results.diagnosis import Diagnosis, Effect, JointFunction, Location, Verdict
 from deltacal_gen.results.document import decimals, rounded
 from deltacal_gen.results.parts import Source, needless
@@ -80,7 +79,7 @@ def _adequate(found: Diagnosed, answer: Diagnosis) -> Sequence[str]:
 
 def _missing_physics(found: Diagnosed, answer: Diagnosis) -> Sequence[str]:
     before, after = map(decimals, found.heldout)
-    named = _named(found, answer)
+    named = _named(answer)
     if found.unsure:
         left = (
             f"With it {decimals(found.final.rms())} mm remain of the readings of the fit, {after} mm of held-out "
@@ -99,7 +98,7 @@ def _missing_physics(found: Diagnosed, answer: Diagnosis) -> Sequence[str]:
 
 
 def _unexplained(found: Diagnosed, answer: Diagnosis) -> Sequence[str]:
-    named = _named(found, answer)
+    named = _named(answer)
     return (
         f"Residual not explained: {decimals(found.final.rms())} mm remain that no registered effect explains"
         f"{' if the column is right' if found.turned else ''}: {answer.location.text}.",
@@ -114,7 +113,7 @@ def _unexplained(found: Diagnosed, answer: Diagnosis) -> Sequence[str]:
 # ------------------------------------------------------------------------------------------------ what was found
 
 
-def _named(found: Diagnosed, answer: Diagnosis) -> list[str]:
+def _named(answer: Diagnosis) -> list[str]:
     """Return a phrase for each effect, one for all waves of a kind without harmonics, and one for the formula.
 
     Several waves of a joint that moved less than their period are a smooth function of its angle taken to pieces: one
@@ -124,7 +123,7 @@ def _named(found: Diagnosed, answer: Diagnosis) -> list[str]:
     for k, effect in enumerate(answer.findings):
         alone = not effect.periods or answer.harmonics(effect)
         groups.setdefault(k if alone else effect.name, []).append(effect)
-    return [_phrase(some, answer.harmonics(some[0]), places) for some in groups.values()] + _formula(found, places)
+    return [_phrase(some, answer.harmonics(some[0]), places) for some in groups.values()] + _formula(answer)
 
 
 def _phrase(some: Sequence[Effect], harmonics: Sequence[Effect], places: Places) -> str:
@@ -157,15 +156,15 @@ def _clearest(effect: Effect, places: Places) -> str:
     return f", clearest at orders: {'; '.join(joints)}" if joints else ", at no order clearly"
 
 
-def _formula(found: Diagnosed, places: Places) -> list[str]:
+def _formula(answer: Diagnosis) -> list[str]:
     """Return the formula that was confirmed on held-out data."""
-    if not found.laws:
+    if not answer.laws:
         return []
-    terms = [
-        t.effect.removeprefix(PREFIX).replace(" = ", " moves by ") + places.at(t.limbs) for t in found.laws[0].terms
-    ]
-    rivals = len(found.laws) - 1
-    doubt = f" ({rivals} other formula{'s' * (rivals > 1)} indistinguishable at these poses)" if rivals else ""
+    places, (best, *rivals) = answer.robot.places, answer.laws
+    terms = [f"{t.target} moves by {t.expression}{places.at(t.limbs)}" for t in best.terms]
+    doubt = (
+        f" ({len(rivals)} other formula{'s' * (len(rivals) > 1)} indistinguishable at these poses)" if rivals else ""
+    )
     return [f"a formula beyond the registered effects: {' and '.join(terms)}{doubt}"]
 
 

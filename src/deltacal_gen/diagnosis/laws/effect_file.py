@@ -6,14 +6,12 @@ in, with what was found as a first guess.
 
 from __future__ import annotations
 
-import math
+import itertools
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
-
-import numpy as np
 
 from deltacal_gen.errors import NotForThisMachine, ValueOutOfRange
 from deltacal_gen.physics.formula import FUNCTIONS, LAG, Unit, unit, written
@@ -29,7 +27,7 @@ _NAME = re.compile(r"[A-Za-z_]\w*")
 
 @dataclass(frozen=True)
 class _Part:
-    """A term of a law as the file writes it: its formula, and numbers by the names they have there."""
+    """A term of a formula as the file writes it, its numbers with their units by the names they have there."""
 
     term: LawTerm
     law: Law
@@ -46,32 +44,27 @@ def effect_file(told: LawOf, path: Path) -> str:
     UsageError
         The name of the file is none of an effect, or the terms of the law act on different things.
     """
-    name = effect_name(path)
-    parts = _parts(told.terms)
+    name, parts = effect_name(path), _parts(told.terms)
+    found = "; ".join(f"{t.target} by {t.expression}" for t in told.terms)
     acts_on = {p.law.ACTS_ON for p in parts}
     if len(acts_on) > 1:
         raise NotForThisMachine(f"the law moves {' and '.join(sorted(acts_on))}: write an effect for each by hand.")
     states = list(dict.fromkeys(s for p in parts for s in p.law.STATE))
-    lags = bool([lag for p in parts for lag in p.law.lags])
+    recorded = [s for s in states if named(s).unit == "as recorded"]
+    own = [s for s in states if s not in recorded]
+    taken = ["coefficient", *["covariate"] * bool(recorded), *["state"] * bool(own)]
     targets: dict[str, list[str]] = {}
     for p in parts:
         targets.setdefault(p.term.target, []).append(p.formula)
-    own = [s for s in states if named(s).unit != "as recorded"]
-    recorded = [s for s in states if s not in own]
-    reading = (
-        [f"{', '.join(own)}{',' if len(own) == 1 else ''} = state({' '.join(own)!r})".replace("'", '"')] if own else []
-    )
-    reading += [f'{s} = covariate("{s}")' for s in recorded]
-    taken = ["coefficient", *["covariate"] * bool(recorded), *["state"] * bool(own)]
     lines = [
-        f'"""TO BE SAID: what this is. Found by ``deltacal diagnose``: {_in_words(told)}."""',
-        "",
-        *(["import sympy as sp", ""] if any("sp." in p.formula for p in parts) else []),
+        f'"""TO BE SAID: what this is. Found by ``deltacal diagnose``: {found}."""\n',
+        *(["import sympy as sp\n"] if any("sp." in p.formula for p in parts) else []),
         f"from derive.effects import {', '.join(taken)}",
         "from derive.language.effects import Effect, Reference",
-        *(["from derive.language.memory import Lag"] if lags else []),
+        *(["from derive.language.memory import Lag"] if any(p.law.lags for p in parts) else []),
         "",
-        *reading,
+        *([f'{", ".join(own)}{"," * (len(own) == 1)} = state("{" ".join(own)}")'] if own else []),
+        *(f'{s} = covariate("{s}")' for s in recorded),
         *(f"{n} = {v!r}  # {written(u) or 1}, as it was found" for p in parts for n, (v, u) in p.constants.items()),
         *(_coefficient(n, *c) for p in parts for n, c in p.coefficients.items()),
         "EFFECT = Effect(",
@@ -103,36 +96,23 @@ def effect_name(path: Path) -> str:
     return path.stem
 
 
-def _in_words(told: LawOf) -> str:
-    return "; ".join(f"{t.target} by {t.expression}" for t in told.terms)
-
-
 def _parts(terms: Sequence[LawTerm]) -> list[_Part]:
     """Return the terms with names that all of them together have once."""
-    out, count = [], 0
+    out, count = [], itertools.count(1)
     for term in terms:
         law = load_law(f"{PREFIX}{term.target} = {term.expression}")
-        units = law.units("rad")
-        names: dict[str, str] = {}
-        coefficients: dict[str, tuple[float, Unit]] = {}
-        constants: dict[str, tuple[float, Unit]] = {}
-        for c in term.coefficients:
-            if c.name in names:
-                continue  # of another limb
-            count += 1
+        units, names = law.units("rad"), dict[str, str]()
+        of: dict[bool, dict[str, tuple[float, Unit]]] = {True: {}, False: {}}
+        for c in (c for c in term.coefficients if c.limb in (None, min(term.limbs, default=None))):  # of one limb
             linear = c.name in law.formula.linear
-            names[c.name] = f"c{count}" if linear else f"K{count}"
-            (coefficients if linear else constants)[names[c.name]] = c.value, units[c.name]
-        formula = _in_python(term.expression, names)
-        out.append(_Part(term, law, formula, coefficients, constants))
+            names[c.name] = f"{'c' if linear else 'K'}{next(count)}"
+            of[linear][names[c.name]] = c.value, units[c.name]
+        formula = _NAME.sub(lambda m, names=names: _written(m[0], names), term.expression)
+        out.append(_Part(term, law, formula, of[True], of[False]))
     return out
 
 
-def _in_python(expression: str, names: dict[str, str]) -> str:
-    return _NAME.sub(lambda m: _written(m[0], names), expression)
-
-
-def _written(word: str, names: dict[str, str]) -> str:
+def _written(word: str, names: Mapping[str, str]) -> str:
     """Return a word of a formula as Python writes it with SymPy."""
     if word in names:
         return f"{names[word]}.symbol" if names[word].startswith("c") else names[word]
@@ -140,13 +120,13 @@ def _written(word: str, names: dict[str, str]) -> str:
 
 
 def _coefficient(name: str, value: float, of: Unit) -> str:
-    text, factor, factor_text = _of_files(of)
+    text, factor = _of_files(of)
     most = float(f"{BELIEVABLE * abs(value) / factor:.1g}")
-    return f'{name} = coefficient("{name}", "{text}", {factor_text}, "TO BE SAID", (-{most:g}, {most:g}))'
+    return f'{name} = coefficient("{name}", "{text}", {factor!r}, "TO BE SAID", (-{most:g}, {most:g}))'
 
 
-def _of_files(of: Unit) -> tuple[str, float, str]:
-    """Return a unit as files have it, deg and Nm for rad and N mm, the factor to the unit inside, and that as text."""
+def _of_files(of: Unit) -> tuple[str, float]:
+    """Return a unit as files have it, deg and Nm for rad and N mm, and the factor to the unit inside."""
     shown, turns = dict(of), of.get("rad", Fraction(0))
     torque = of.get("N", Fraction(0)) if of.get("N") == of.get("mm") else Fraction(0)
     factor = DEG ** float(turns) * 1000.0 ** float(torque)
@@ -154,29 +134,20 @@ def _of_files(of: Unit) -> tuple[str, float, str]:
         shown = {"deg" if n == "rad" else n: p for n, p in shown.items()}
     if torque:
         shown = {n: p for n, p in shown.items() if n not in ("N", "mm")} | {"Nm": torque}
-    return written(shown), factor, repr(factor)
+    return written(shown), factor
 
 
 def _reference(told: LawOf, parts: Sequence[_Part], states: Sequence[str]) -> str:
-    """Return a reference value: what the law makes of states within their range."""
+    """Return a reference value: what the formula makes of states within their range."""
     at = {s: told.range[s][0] + AT * (told.range[s][1] - told.range[s][0]) for s in states}
-    lags = list(dict.fromkeys(lag for p in parts for lag in p.law.lags))
+    lags = dict.fromkeys(lag for p in parts for lag in p.law.lags)
     moved: dict[str, float] = {}
     for p in parts:
-        values: dict[str, np.ndarray | float] = dict(at)
-        values |= {c.name: c.value for c in reversed(p.term.coefficients)}
-        values |= {f"Lag({s}, {tau})": at[s] for s, tau in p.law.lags}
-        moved[p.term.target] = moved.get(p.term.target, 0.0) + float(p.law.formula(values))
-    given = {s: at[s] / _factor(s) for s in states} | {f"lag_{n}": at[s] for n, (s, _) in enumerate(lags, 1)}
+        known = at | {c.name: c.value for c in reversed(p.term.coefficients)}
+        known |= {f"Lag({s}, {tau})": at[s] for s, tau in p.law.lags}
+        moved[p.term.target] = moved.get(p.term.target, 0.0) + float(p.law.formula({**known}))
+    turned = {s: float(unit(inside(named(s), "rad")).get("rad", 0)) for s in states}
+    given = {s: at[s] / DEG ** turned[s] for s in states} | {f"lag_{n}": at[s] for n, (s, _) in enumerate(lags, 1)}
     size = {n: v / _of_files(u)[1] for p in parts for n, (v, u) in p.coefficients.items()}
-    return f"Reference({_table(given)}, {_table(size)}, {_table(moved)})"
-
-
-def _factor(state: str) -> float:
-    """Return how many of the unit inside a state's unit in files is."""
-    turned = unit(inside(named(state), "rad")).get("rad", 0)
-    return math.pow(DEG, float(turned))
-
-
-def _table(values: dict[str, float]) -> str:
-    return "{" + ", ".join(f'"{n}": {v!r}' for n, v in values.items()) + "}"
+    tables = ("{" + ", ".join(f'"{n}": {v!r}' for n, v in table.items()) + "}" for table in (given, size, moved))
+    return f"Reference({', '.join(tables)})"

@@ -126,7 +126,8 @@ class Sought:
         if not self.laws:
             return [Question(self.doubtful, proven=False)] if self.doubtful is not None else []
         *others, last = self.laws[0].terms
-        return [*map(Question, others), Question(last, tuple(law.terms[-1] for law in self.laws[1:]))]
+        rivals = tuple(law.terms[-1] for law in self.laws[1:] if law.proof.holds)
+        return [*map(Question, others), Question(last, rivals)]
 
 
 def laws(found: Outcome, progress: Callable[[str], None], doubted: bool = False) -> Sought:

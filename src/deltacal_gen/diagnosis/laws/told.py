@@ -1,4 +1,4 @@
-"""Laws as DIAGNOSIS.json holds them: expressions, numbers with units, where they were found, and their curve."""
+"""Formulas as DIAGNOSIS.json holds them: expressions, numbers with units, where they were found, and their curve."""
 
 from __future__ import annotations
 
@@ -29,87 +29,87 @@ POINTS = 121  # of a curve
 STEP = 1e-3  # of a constant, by which its derivative is taken
 
 
-def told(laws: tuple[Lawful, ...], final: Fit) -> tuple[Law, ...]:
-    """Return laws as answers hold them, the best one with the numbers of the final fit."""
-    others = tuple(law.text for law in laws[1:])
-    return tuple(_law(law, final if k == 0 else law.fit, others if k == 0 else ()) for k, law in enumerate(laws))
+def told(laws: Sequence[Lawful], final: Fit) -> tuple[Law, ...]:
+    """Return formulas as answers hold them, the best one with the numbers of the final fit.
+
+    A formula that nobody has registered is a rival only if it was confirmed on held-out data.
+    """
+    confirmed = [law for law in laws if law.proof.holds]
+    alike = tuple(law.text for law in confirmed[1:])
+    return tuple(_law(law, law.fit if k else final, () if k else alike) for k, law in enumerate(confirmed))
 
 
 def _law(law: Lawful, at: Fit, alike: tuple[str, ...]) -> Law:
-    every = terms_of(at)
-    every_law = [i for i, t in enumerate(every) if is_law(t.effect)]
-    places, rest = every_law[: len(law.law)], every_law[len(law.law) :]
-    std = np.sqrt(np.maximum(np.diag(at.covariance), 0.0))
-    unit_of_joints = at.problem.recording.joint_unit
-    terms: list[LawTerm] = []
-    ends: dict[str, tuple[float, float]] = {}
-    for i, unsure in zip(places, law.unsure, strict=True):
-        term, own = every[i], std[at.problem.coefficients(i)]
-        module = load_law(term.effect)
-        terms.append(_term(term, module, np.hypot(own, np.sqrt(unsure.added)), unsure.std, unit_of_joints))
-        for state, (low, high) in zip(module.STATE, module.ends(term.constants), strict=True):
-            before = ends.get(state, (np.inf, -np.inf))
-            ends[state] = (min(before[0], float(low)), max(before[1], float(high)))
-    curves: list[LawCurve] = []
-    for n, (i, unsure) in enumerate(zip(places, law.unsure, strict=True)) if alike or law.proof.holds else ():
-        drawn = _curve(at, i, rest, unsure)
-        curves += [] if drawn is None else [drawn.replace(term=n)]
+    terms = terms_of(at)
+    every = [i for i, t in enumerate(terms) if is_law(t.effect)]
+    own, rest = list(zip(every, law.unsure, strict=False)), every[len(law.law) :]
+    modules = [(load_law(terms[i].effect), terms[i].constants) for i, _ in own]
+    ends = [(s, *map(float, e)) for m, constants in modules for s, e in zip(m.STATE, m.ends(constants), strict=True)]
+    limits = {s: (min(e[1] for e in ends if e[0] == s), max(e[2] for e in ends if e[0] == s)) for s, *_ in ends}
+    curves = [(n, _curve(at, i, rest, unsure)) for n, (i, unsure) in enumerate(own)]
+    drawn = tuple(curve.replace(term=n) for n, curve in curves if curve is not None)
     return Law(
-        terms=tuple(terms),
-        states=tuple(ends),
-        range=ends,
+        terms=tuple(_term(at, i, unsure) for i, unsure in own),
+        states=tuple(limits),
+        range=limits,
         heldout_rms_mm=law.proof.rms,
         share_of_excess=float(np.clip(law.proof.share, 0.0, 1.0)),
         gain=law.gain,
         charge=law.charge,
         alike=alike,
         borne_out=law.proof.holds,
-        curve=next((c for c in curves if c.term == 0), None),
-        curves=tuple(curves),
+        curve=next((c for c in drawn if c.term == 0), None),
+        curves=drawn,
         forms_tried=law.count or None,
         runners_up=tuple(
             RunnerUp(target=t.target, limbs=t.limbs, expression=t.form.text, gain=t.gain, charge=t.price)
             for t in law.runners_up
         ),
-        remainder_rms_mm=_moved(at, rest) if rest else None,
+        remainder_rms_mm=_moved(at, [terms[i] for i in rest]) if rest else None,
     )
 
 
-def _moved(at: Fit, some: Sequence[int]) -> float:
+def _moved(at: Fit, terms: Sequence[Term]) -> float:
     """Return by how much some terms move the readings, RMS [mm]."""
-    terms = [terms_of(at)[i] for i in some]
     columns = at.problem.term_columns(terms, at.errors, at.instrument, at.machine)
     moved = columns @ np.concatenate([t.values.ravel() for t in terms])
     return rms(lengths(np.where(np.isfinite(at.residual), moved, np.nan), at.problem.readings.kind))
 
 
-def _term(term: Term, law: LawModule, std: Array, of_constants: Array, joint_unit: str) -> LawTerm:
-    coefficients = []
-    spread = std.reshape(term.values.shape)
-    for r, row in enumerate(term.values):
-        limb = term.limbs[r] if term.limbs else None
-        units = law.units(_joint_unit(joint_unit, limb))
-        coefficients += [
-            LawCoefficient(name=c, limb=limb, value=float(v), std=float(s), unit=written(units[c]))
-            for c, v, s in zip(law.formula.linear, row, spread[r], strict=True)
-        ]
-    units = law.units(_joint_unit(joint_unit, min(term.limbs, default=None)))
-    for k, name in enumerate(_in_order(law)):
-        value = float(term.constants[law.inner.index(name)])
-        coefficients.append(
-            LawCoefficient(name=name, limb=None, value=value, std=float(of_constants[k]), unit=written(units[name]))
-        )
-    expression = law.formula.text
-    return LawTerm(target=law.TARGETS[0], limbs=term.limbs, expression=expression, coefficients=tuple(coefficients))
+def _term(at: Fit, i: int, unsure: Unsure) -> LawTerm:
+    """Return a term of a fit with its coefficients, joint by joint, and the constants within, in their order."""
+    term, own = terms_of(at)[i], at.problem.coefficients(i)
+    law = load_law(term.effect)
+    std = np.sqrt(np.maximum(np.diag(at.covariance)[own], 0.0) + unsure.added).reshape(term.values.shape)
+    units = [law.units(_joint_unit(at, limb)) for limb in term.limbs or (0,)]
+    numbers = [
+        (name, term.limbs[r] if term.limbs else None, value, std[r, k], units[r][name])
+        for r, row in enumerate(term.values)
+        for k, (name, value) in enumerate(zip(law.formula.linear, row, strict=True))
+    ]
+    numbers += [
+        (name, None, term.constants[law.inner.index(name)], unsure.std[k], units[0][name])
+        for k, name in enumerate(_in_order(law))
+    ]
+    return LawTerm(
+        target=law.TARGETS[0],
+        limbs=term.limbs,
+        expression=law.formula.text,
+        coefficients=tuple(
+            LawCoefficient(name=name, limb=limb, value=float(value), std=float(s), unit=written(of))
+            for name, limb, value, s, of in numbers
+        ),
+    )
 
 
 def _in_order(law: LawModule) -> list[str]:
-    """Return the names of the constants within a law as a form counts them."""
+    """Return the names of the constants within a formula as a form counts them."""
     return sorted(law.inner, key=lambda name: int(name[1:]))
 
 
-def _joint_unit(joint_unit: str, limb: int | None) -> str:
-    return of_joints(joint_unit, max(limb or 1, 1))[(limb or 1) - 1]
+def _joint_unit(at: Fit, limb: int) -> str:
+    """Return the unit of a joint, from 1; of the first one where the machine has the formula."""
+    return of_joints(at.problem.recording.joint_unit, max(limb, 1))[max(limb, 1) - 1]
 
 
 def _curve(at: Fit, i: int, rest: Sequence[int], unsure: Unsure) -> LawCurve | None:
@@ -117,32 +117,32 @@ def _curve(at: Fit, i: int, rest: Sequence[int], unsure: Unsure) -> LawCurve | N
 
     With what its form leaves, terms `rest` of the fit that sit where it does.
     """
-    term = terms_of(at)[i]
+    term, ground = terms_of(at)[i], Ground(at)
     law = load_law(term.effect)
-    ground = Ground(at)
     if law.lags or any(s not in ground.states for s in law.STATE):
         return None
     drawn = _Drawn.of(at, [i, *(k for k in rest if _beside(terms_of(at)[k], term))], unsure)
-    place, limb = ground.place(law.TARGETS[0]), (term.limbs or (1,))[0]
-    column = place.columns[:, :, limb - 1 if term.limbs else 0]
-    seen = {s: _of_limb(ground.states[s], limb) for s in law.STATE}
-    now = drawn.value(seen)
-    residual = np.where(np.isfinite(at.residual[:, : column.shape[1]]), at.residual[:, : column.shape[1]], 0.0)
+    place, limb = ground.place(law.TARGETS[0]), min(term.limbs, default=0)
+    column = place.columns[:, :, max(limb, 1) - 1 if term.limbs else 0]
+    read = {s: ground.states[s] for s in law.STATE}
+    seen = {s: v if v.ndim == 1 else v[:, max(limb, 1) - 1] for s, v in read.items()}
+    residual = np.nan_to_num(at.residual[:, : column.shape[1]])
     size = (column**2).sum(axis=1)
     moved = (column * residual).sum(axis=1) / np.where(size > 0, size, np.inf)
-    low, high = law.ends(term.constants)[0]
     first, *others = law.STATE
     middle = {s: float(np.median(seen[s])) for s in others}
-    grid = {first: np.linspace(low, high, POINTS)} | {s: np.full(POINTS, v) for s, v in middle.items()}
+
+    def along(values: Array) -> dict[str, Array]:
+        return {first: values} | {s: np.full(len(values), v) for s, v in middle.items()}
+
+    grid, level = along(np.linspace(*law.ends(term.constants)[0], POINTS)), along(seen[first])
     # with several states a reading is shown as it would be at the medians of the others
-    level = {first: seen[first]} | {s: np.full(len(now), v) for s, v in middle.items()}
-    shown = drawn.value(level)
+    now, shown = drawn.value(seen), drawn.value(level)
     ratio = np.divide(shown, now, out=np.ones_like(now), where=np.abs(now) > 1e-3 * np.abs(now).max())
-    joint_unit = _joint_unit(at.problem.recording.joint_unit, limb)
     return LawCurve(
         state=first,
-        unit=written(unit(inside(named(first), joint_unit))),
-        target_unit=law.unit_moved(joint_unit),
+        unit=written(unit(inside(named(first), _joint_unit(at, limb)))),
+        target_unit=law.unit_moved(_joint_unit(at, limb)),
         at=grid[first],
         value=drawn.value(grid),
         std=drawn.std(grid, level),
@@ -152,7 +152,7 @@ def _curve(at: Fit, i: int, rest: Sequence[int], unsure: Unsure) -> LawCurve | N
 
 
 def _beside(rest: Term, term: Term) -> bool:
-    """Tell whether what is left of a law's form is left of this term's."""
+    """Tell whether what is left of a formula's form is left of this term's."""
     own, whole = load_law(rest.effect), load_law(term.effect)
     return (own.TARGETS, rest.limbs) == (whole.TARGETS, term.limbs) and set(own.STATE) <= set(whole.STATE)
 
@@ -176,43 +176,38 @@ class _Drawn:
         return np.asarray(sum(m.value(s, t.values[:1], t.constants)[:, 0] for t, m, s in self._each(states)))
 
     def std(self, states: Mapping[str, Array], seen: Mapping[str, Array]) -> Array:
-        """Return the standard deviation (N,) of `value` by those of the coefficients and of the constants within.
+        """Return the standard uncertainty (N,) of `value` by those of the coefficients and of the constants within.
 
-        Coefficients go with the constants, as `Unsure.by` says: beside a scale that is larger, a slope is less. Where
+        Coefficients go with the constants, as `Unsure.by` says: with a scale that is larger, a slope is less. Where
         the mean over the readings, at states `seen`, is less known than the curve varies, geometry takes over what is
-        unknown of it, and it is that of the curve beside its mean.
+        unknown of it, and it is that of the curve about its mean.
         """
-        at, there = self._derivatives(states), self._derivatives(seen)
+        by, mean = self._derivatives(states), self._derivatives(seen).mean(axis=0)
         unknown = block_diag(self.covariance, self.unsure.covariance)
-        mean = there.mean(axis=0)
         if mean @ unknown @ mean > np.ptp(self.value(states)) ** 2:
-            at = at - mean
-        return np.sqrt(np.maximum(np.einsum("nc,cd,nd->n", at, unknown, at), 0.0))
+            by = by - mean
+        return np.sqrt(np.maximum(np.einsum("nc,cd,nd->n", by, unknown, by), 0.0))
 
     def _derivatives(self, states: Mapping[str, Array]) -> Array:
-        """Return the derivatives (N, n_c + n) of `value` by the coefficients and the constants."""
-        by = [m.jacobian(s, t.values[:1], t.constants)[:, 0] for t, m, s in self._each(states)]
-        return np.hstack([*by, self._by_constants(states)])
-
-    def _by_constants(self, states: Mapping[str, Array]) -> Array:
-        """Return the derivatives (N, n) of `value` by the constants within the first term, its coefficients in step."""
-        term, law, s = next(self._each(states))
-        out = np.zeros((len(s), len(self.unsure.std)))
-        for k, name in enumerate(_in_order(law)):
-            at, ends = law.inner.index(name), []
-            step = STEP * max(abs(float(term.constants[at])), 1e-12)
-            for h in (step, -step):
-                constants = [*term.constants[:at], float(term.constants[at]) + h, *term.constants[at + 1 :]]
-                values = term.values[:1] + h * self.unsure.by[k, : term.values.shape[1]]
-                ends.append(law.value(s, values, constants)[:, 0])
-            out[:, k] = (ends[0] - ends[1]) / (2 * step)
-        return out
+        """Return the derivatives (N, n_c + n) of `value` by the coefficients and the constants, with which these go."""
+        each = list(self._each(states))
+        by = [m.jacobian(s, t.values[:1], t.constants)[:, 0] for t, m, s in each]
+        term, law, s = each[0]
+        for name, moved in zip(_in_order(law), self.unsure.by[:, : term.values.shape[1]], strict=True):
+            k = law.inner.index(name)
+            step = STEP * max(abs(float(term.constants[k])), 1e-12)
+            above, below = (
+                law.value(
+                    s,
+                    term.values[:1] + h * moved,
+                    [*term.constants[:k], float(term.constants[k]) + h, *term.constants[k + 1 :]],
+                )
+                for h in (step, -step)
+            )
+            by.append((above - below) / (2 * step))
+        return np.hstack(by)
 
     def _each(self, states: Mapping[str, Array]) -> Iterator[tuple[Term, LawModule, Array]]:
         for term in self.terms:
             law = load_law(term.effect)
             yield term, law, np.column_stack([states[s] for s in law.STATE])
-
-
-def _of_limb(values: Array, limb: int) -> Array:
-    return values[:, limb - 1] if values.ndim == 2 else values
