@@ -9,9 +9,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from jsonschema import Draft202012Validator
 
 from deltacal_gen.app import checkout
 from deltacal_gen.app.demonstration import example
+from deltacal_gen.results.published import FOLDER, file_of
+from deltacal_gen.results.reader import read_answer
 from tests.support.commands import Run
 
 
@@ -90,7 +93,7 @@ def test_matrix_of_the_paper_has_its_shape_and_rank(run: Run, shop: Path) -> Non
     what = ("--model", "delta/36", "--as", "distance", "--scaling", "paper")
     code, out, _ = run("matrix", shop / "robot.toml", shop / "recording.csv", *what, "-o", shop / "H.npz", "--json")
     assert code == 0
-    assert json.loads(out)["rank"] == 32
+    assert json.loads(out)["figures"]["rank"] == 32
     with np.load(shop / "H.npz") as saved:
         assert saved["H"].shape == (len(saved["r"]), 36)
         assert saved["names"][0] == "theta_1"
@@ -249,6 +252,37 @@ def test_an_error_has_a_code_that_is_explained(run: Run, shop: Path) -> None:
     assert code == 2
     assert "missing-column" in err
     assert run("identify", "--nonsense")[2].startswith("error[command-line]: ")
+
+
+def test_what_is_no_answer_itself_leaves_a_receipt_as_published(run: Run, shop: Path) -> None:
+    (shop / "targets.csv").write_text("x_mm,y_mm,z_mm\n0,0,-853\n300,-200,-900\n")
+    robot, recording, result = shop / "robot.toml", shop / "recording.csv", shop / "result.json"
+    assert run("identify", robot, recording, "--model", "18", "-o", result)[0] == 0
+    figures = {}
+    for code, command, written in (
+        (0, ("simulate", robot, shop / "targets.csv", "--noise", 0.01, "-o", shop / "s.csv"), ["s.csv", "s.toml"]),
+        (0, ("matrix", robot, recording, "--model", "delta/18", "-o", shop / "H.npz"), ["H.npz"]),
+        (0, ("predict", result, recording, "-o", shop / "p.csv"), ["p.csv"]),
+        (0, ("compensate", result, shop / "targets.csv", "-o", shop / "j.csv"), ["j.csv"]),
+        (0, ("compensate", result, shop / "targets.csv"), []),
+        (0, ("compensate", result, "--export", "c", "-o", shop / "c.c"), ["c.c"]),
+        (0, ("manual", "exit-codes"), []),
+        (3, ("predict", result, shop / "absent.csv", "-o", shop / "q.csv"), None),
+    ):
+        ended, out, _ = run(*command, "--json")
+        found = json.loads(out)
+        assert ended == code, command
+        published = json.loads((FOLDER / file_of(found["schema"])).read_text())
+        Draft202012Validator(published).validate(found)
+        assert read_answer(found).to_dict() == found
+        if written is not None:
+            assert found["command"] == command[0]
+            assert [Path(name).name for name in found["files"]] == written
+            assert all(Path(name).exists() for name in found["files"])
+            figures[command[0]] = found["figures"]
+    assert figures["simulate"] == {"readings": 2, "kind": "position", "noise_mm": 0.01}
+    assert figures["matrix"]["columns"] == figures["matrix"]["rank"] == 18
+    assert figures["predict"]["readings"] == len(recording.read_text().splitlines()) - 1
 
 
 def test_an_old_option_names_the_new_one(run: Run, shop: Path) -> None:

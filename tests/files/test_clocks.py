@@ -116,7 +116,7 @@ def test_a_result_knows_the_clocks_of_its_runs(recorded: Path, identified: Any, 
     assert code == 0
     lines = (tmp_path / "predicted.csv").read_text().splitlines()
     assert lines[0] == ",".join(["run", "time_s", *Q, *X])
-    assert json.loads(out)["readings"] == len(lines) - 1
+    assert json.loads(out)["figures"]["readings"] == len(lines) - 1
     given = recorded.with_name("recording.instrument.csv").read_text().splitlines()
     assert [line.split(",")[:1] for line in lines] == [line.split(",")[:1] for line in given]
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -424,7 +425,7 @@ def test_the_command_says_what_it_wrote(tmp_path: Path, run: Run) -> None:
     file.write_text(GOOD)
     code, out, _ = run("import", "urdf", file, "-o", tmp_path / "mine", "--json")
     assert code == 0
-    assert '"robot": "robot.toml"' in out
+    assert str(tmp_path / "mine" / "robot.toml") in json.loads(out)["files"]
     code, _, err = run("import", "urdf", file, "--tip", "l22", "-o", tmp_path / "other")
     assert code == 2
     assert "did you mean 'l2'?" in err

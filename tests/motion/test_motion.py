@@ -492,7 +492,7 @@ def test_the_matrix_in_motion_is_the_regressor(run: Run, tmp_path: Path) -> None
     """Least squares of it is what the rigid machine leaves; its null space moves no torque, and is told in words."""
     files = tmp_path / "robot.toml", written(tmp_path, lambda states, load: 0 * load, runs=2)
     code, out, _ = run("matrix", *files, "--model", "rigid", "-o", tmp_path / "H.npz", "--json")
-    told, found = json.loads(out), dict(np.load(tmp_path / "H.npz"))
+    told, found = json.loads(out)["figures"], dict(np.load(tmp_path / "H.npz"))
     H, known = found["H"], dc.identify(*files)
     assert code == 0
     assert (told["rows"], told["columns"]) == H.shape == (len(found["r"]), 30)

@@ -36,7 +36,7 @@ from deltacal_gen.app.cli.application import application
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.pages import manual
 from deltacal_gen.results.reader import read_answer
-from deltacal_gen.results.written import Manual
+from deltacal_gen.results.written import Receipt
 from tests.support.commands import Run
 from tests.support.measured import write
 
@@ -283,8 +283,8 @@ def test_a_topic_is_printed_and_an_unknown_one_is_answered_with_the_nearest(run:
     with pytest.raises(UsageError, match="printer"):
         dc.manual("klipper")
     said = read_answer(json.loads(run("manual", "limits", "--json")[1]))
-    assert isinstance(said, Manual)
-    assert (said.topic, said.text) == ("limits", dc.manual("limits"))
+    assert isinstance(said, Receipt)
+    assert (said.figures["topic"], said.text) == ("limits", dc.manual("limits"))
 
 
 def test_units_in_tables_and_help_are_not_taken_for_markup(run: Run) -> None:

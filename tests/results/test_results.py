@@ -165,6 +165,7 @@ BARE = {  # numbers without a unit: counts, parts of a whole, figures of statist
     *("position", "load", "error_before", "error_after"),
     *("before_by_joint", "after_by_joint", "noise_by_joint", "fitted_by_joint"),
     *("positions", "cycles", "cycle", "approach"),
+    *("exit_code", "figures"),  # names of figures end in their unit
     *("range", "at", "seen", "partial", "charge", "outside_law"),  # of laws, as their states and targets count
 }
 

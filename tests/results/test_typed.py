@@ -12,7 +12,7 @@ import deltacal_gen as dc
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.pages.figures import Sheet
 from deltacal_gen.results.base import Answer
-from deltacal_gen.results.written import Simulated
+from deltacal_gen.results.written import Receipt
 from tests.support import typed
 
 DELTA = example("delta")
@@ -39,8 +39,8 @@ def test_each_sort_of_answer_draws_itself(result: dc.Result) -> None:
         sheet = dc.plot(answer)
         assert isinstance(sheet, Sheet)
         assert "</svg>" in sheet._repr_svg_(), answer
-    with pytest.raises(dc.UsageError, match="no picture of a Simulated"):
-        dc.plot(Simulated(recording="a.csv", readings=1, kind="position"))
+    with pytest.raises(dc.UsageError, match="no picture of a Receipt"):
+        dc.plot(Receipt(command="simulate", summary="1 reading"))
 
 
 def test_a_picture_leaves_the_backend_of_a_program_alone() -> None:

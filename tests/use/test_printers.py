@@ -211,7 +211,7 @@ def test_a_map_of_reprapfirmware(tmp_path: Path, run: Run) -> None:
     )
     code, out, _ = run("import", "rrf", config, chart, "-o", tmp_path / "out", "--json")
     assert code == 0
-    assert json.loads(out)["recordings"] == ["recording.csv"]
+    assert [Path(file).name for file in json.loads(out)["files"]] == ["robot.toml", "recording.csv"]
     got = import_rrf(config, chart)
     assert got.robot.geometry["tower_angle"] / DEG == pytest.approx([209.5, 330.25, 90.0])
     assert got.robot.geometry["endstop"] == pytest.approx([299.6, 300.1, 300.3])
@@ -234,7 +234,7 @@ def test_a_log_of_marlin(tmp_path: Path, run: Run) -> None:
     log.write_text(f"{MARLIN}Bed X: 0.000 Y: -40.000 Z: 0.100\nBed X: 10.0 Y: 5.0 Z: -0.050\nok\n")
     code, out, _ = run("import", "marlin", log, "-o", tmp_path / "out", "--json")
     assert code == 0
-    assert json.loads(out)["recordings"] == ["recording.csv"]
+    assert [Path(file).name for file in json.loads(out)["files"]] == ["robot.toml", "recording.csv"]
     written = "".join((tmp_path / "out" / name).read_text() for name in ("robot.toml", "recording.csv"))
     assert not re.findall(r"\d+\.\d{7,}", written)  # sums of what the firmware says are as short as it says them
     got = import_marlin(log)

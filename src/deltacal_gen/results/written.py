@@ -5,52 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Literal
 
-from deltacal_gen.results.base import Answer, Rows, Value
-from deltacal_gen.results.document import Document, Table, Text, decimals, number
+from pydantic import Field
 
-
-class Simulated(Answer):
-    """A recording of `simulate`."""
-
-    schema_: Literal["deltacal.simulation/1"] = "deltacal.simulation/1"
-    recording: str
-    readings: int
-    kind: str | None = None
-    noise: str | None = None
-    """In words, where it is not that of lengths alone."""
-
-    def document(self) -> Document:
-        """Yield how many readings there are, and their noise."""
-        yield Text(f"{self.readings} readings of the kind {self.kind}")
-        if self.noise is not None:
-            yield Text(self.noise)
-
-
-class Matrix(Answer):
-    """An identification matrix of `matrix`."""
-
-    schema_: Literal["deltacal.matrix/1"] = "deltacal.matrix/1"
-    file: str
-    rows: int
-    columns: int
-    rank: int
-    condition: float | None
-    """Null where the rank is not full."""
-    scaling: str
-    combinations: tuple[str, ...] | None = None
-    """In motion: the combinations of inertial parameters that the samples know."""
-    unidentifiable: tuple[str, ...] | None = None
-    """In motion: what they do not know, in words."""
-
-    def document(self) -> Document:
-        """Yield its size and rank, and in motion what the samples determine."""
-        yield Text(
-            f"H {self.rows} x {self.columns}, rank {self.rank}, condition {number(self.condition)} "
-            f"(scaling {self.scaling})"
-        )
-        for name in ("combinations", "unidentifiable"):
-            if (words := getattr(self, name)) is not None:
-                yield Text(f"{name}: {'; '.join(words)}", level=1)
+from deltacal_gen.results.base import Answer, BlankRows, Value
+from deltacal_gen.results.document import Document, Table, Text, decimals
 
 
 class FirmwareLeft(Value):
@@ -112,70 +70,55 @@ class FirmwareLines(Value):
             yield Text(f"not carried by the lines, with their sizes in the file: {names}")
 
 
-class Joints(Answer):
-    """Commands of `compensate`, in deg or mm."""
+class Receipt(Answer):
+    """What a command wrote or did, where that is no answer itself: its files, and what stands in them."""
 
-    schema_: Literal["deltacal.joints/1"] = "deltacal.joints/1"
-    kind: str
-    export: str | None
-    joints: Rows
-    assumed: tuple[str, ...]
-    """What was assumed where a channel was not given."""
+    schema_: Literal["deltacal.receipt/1"] = "deltacal.receipt/1"
+    command: str
+    summary: str
+    """In a line."""
+    done: bool = True
+    """False where a check failed, for which the exit code is 1."""
+    files: tuple[str, ...] = ()
+    figures: dict[str, int | float | str | tuple[str, ...] | None] = Field(default_factory=dict)
+    """What stands in them, by names that end in their unit; without one it is a count, a part of a whole or a word."""
+    columns: tuple[str, ...] | None = None
+    rows: BlankRows | None = None
+    """Commands: joint by joint in deg or mm, or by `columns`; null of a joint that the model does not know."""
     firmware: FirmwareLines | None = None
-    file: str | None = None
+    text: str | None = None
+    """A page, in Markdown."""
+    notes: tuple[str, ...] = ()
+    """What was assumed, and what is to be known before the files are used."""
+
+    @property
+    def headline(self) -> str:
+        """What was written."""
+        return self.summary
 
     def document(self) -> Document:
-        """Yield what was exported, or the commands where no file holds them, and what was assumed."""
+        """Yield what was written, the commands where no file holds them, and what is to be known of it."""
         if self.firmware is not None:
             yield from self.firmware.document()
-        elif self.export is not None:
-            yield Text(f"{self.kind} compensator; its error is stated in the file")
-        elif self.file is not None:
-            yield Text(f"{len(self.joints)} commands")
-        else:
-            yield from (Text("  ".join(f"{v:12.6f}" for v in row)) for row in self.joints)
-        yield from (Text(words, level=1) for words in self.assumed)
+        elif self.rows is not None and not self.files:
+            yield from (Text("  ".join(f"{v:12.6f}" for v in row)) for row in self.rows)
+        elif self.summary:
+            yield Text(self.summary)
+        yield from (Text(words, level=1) for words in self.notes)
 
 
-class FedForward(Answer):
-    """Commands of `compensate --trajectory`, sample by sample."""
+class Failure(Answer):
+    """Why a command ended with an error, as `--json` prints it."""
 
-    schema_: Literal["deltacal.feedforward/1"] = "deltacal.feedforward/1"
-    columns: tuple[str, ...]
-    """Of the file that is written."""
-    joints: Rows
-    torques: Rows
-    """In `units`; null of a joint that the model does not know."""
-    units: tuple[str, ...]
-    told: tuple[str, ...]
-    """What was assumed, and what is beyond limits."""
-    file: str | None = None
-
-    def document(self) -> Document:
-        """Yield the commands where no file holds them, what was assumed and what is beyond limits."""
-        if self.file is not None:
-            yield Text(f"{len(self.torques)} samples with joints and torques")
-        else:
-            yield from (
-                Text("  ".join(f"{v:12.6f}" for v in (*q, *torque)))
-                for q, torque in zip(self.joints, self.torques, strict=True)
-            )
-        yield from (Text(words, level=1) for words in self.told)
-
-
-class Predicted(Answer):
-    """Readings of `predict`."""
-
-    schema_: Literal["deltacal.prediction/1"] = "deltacal.prediction/1"
-    file: str
-    kind: str | None = None
-    readings: int
-    told: tuple[str, ...]
-
-    def document(self) -> Document:
-        """Yield how many readings are predicted, and what is to be known of them."""
-        yield Text(f"{self.readings} readings of the kind {self.kind} predicted")
-        yield from map(Text, self.told)
+    schema_: Literal["deltacal.error/1"] = "deltacal.error/1"
+    code: str
+    """The family of the error: what `deltacal explain` takes."""
+    error: str
+    """What is wrong, where, and what to do."""
+    exit_code: int
+    file: str | None
+    line: int | None
+    column: str | None
 
 
 class Asked(Value):
@@ -240,70 +183,3 @@ class Experiment(Answer):
             yield Text(f"{len(self.poses)} rows written to {self.file}: measure them, append them, diagnose again")
         else:
             yield Text("nothing is open that poses could settle; no file was written")
-
-
-class Imported(Answer):
-    """What `import` made."""
-
-    schema_: Literal["deltacal.import/1"] = "deltacal.import/1"
-    folder: str
-    robot: str | None
-    recordings: tuple[str, ...]
-    warnings: tuple[str, ...]
-
-    def document(self) -> Document:
-        """Yield what was written, and what to know before using it."""
-        yield Text(", ".join([*([self.robot] if self.robot else []), *self.recordings]))
-        yield from (Text(words, "warning: ") for words in self.warnings)
-
-
-class Derivation(Answer):
-    """Pages of `derivation`."""
-
-    schema_: Literal["deltacal.derivation/1"] = "deltacal.derivation/1"
-    files: tuple[str, ...]
-
-    def document(self) -> Document:
-        """Yield which file to open."""
-        yield Text(f"{len(self.files)} file{'s' if len(self.files) > 1 else ''}; open {self.files[0]}")
-
-
-class Reproduction(Answer):
-    """Pages of `reproduce`."""
-
-    schema_: Literal["deltacal.reproduction/1"] = "deltacal.reproduction/1"
-    files: tuple[str, ...]
-    remade: tuple[str, ...]
-    """Tables and figures, by their numbers in the paper."""
-
-    def document(self) -> Document:
-        """Yield which file to open."""
-        yield Text(f"{len(self.remade)} tables and figures remade; open {self.files[0]}")
-
-
-class Kernels(Answer):
-    """What `kernels` did."""
-
-    schema_: Literal["deltacal.kernels/1"] = "deltacal.kernels/1"
-    done: bool
-    """Whether the derivation went well, and under --check gave the committed kernels."""
-    seconds: dict[str, float] | None = None
-    """Of what was compiled ahead."""
-    trial: str | None = None
-    """How a machine of the derived kernels does, in words."""
-
-    def document(self) -> Document:
-        """Yield the time of each kernel, or what the trial says."""
-        yield from (Text(f"{seconds:7.2f} s  {name}") for name, seconds in (self.seconds or {}).items())
-        if self.trial is not None:
-            yield Text(self.trial)
-
-
-class Manual(Answer):
-    """A page of `manual`, or the examples that it copied."""
-
-    schema_: Literal["deltacal.manual/1"] = "deltacal.manual/1"
-    topic: str
-    text: str | None
-    """Markdown; null where examples were copied and no topic was given."""
-    files: tuple[str, ...]

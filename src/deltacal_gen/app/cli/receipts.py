@@ -1,77 +1,85 @@
-"""Answers that stand for what functions return as arrays and recordings: what was written, in numbers and words."""
+"""Receipts for what functions return as arrays and recordings: what was written, in numbers and words."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
 Given = Mapping[str, Any]  # what the command line gave
 Told = tuple[str, ...]
 
 
+def receipt(command: str, given: Given, summary: str, **what: Any) -> Any:
+    """Return the receipt of a command; its file is the output, where there is one and nothing else is said."""
+    from deltacal_gen.results.written import Receipt
+
+    files = (str(given["output"]),) if "output" in given else ()
+    return Receipt(command=command, summary=summary, **{"files": files, **what})
+
+
 def simulated(found: Any, given: Given, told: Told) -> Any:
-    """Return what stands for a simulated recording."""
-    from deltacal_gen.results.written import Simulated
-
+    """Return the receipt of a simulated recording."""
     rows = found.n_rows if found.pairs is None else len(found.pairs)
-    noise = _noise_in_words(found, given.get("noise", 0.0))
-    return Simulated(recording=str(given["output"]), readings=rows, kind=found.kind, noise=noise)
+    noise = _noise_of(found, given.get("noise", 0.0))
+    words = ", ".join(f"{sigma:.3g} {unit}" for unit, sigma in noise.items())
+    return receipt(
+        "simulate",
+        given,
+        f"{rows} readings of the kind {found.kind}",
+        files=tuple(map(str, (given["output"], Path(given["output"]).with_suffix(".toml")))),
+        figures={"readings": rows, "kind": found.kind} | {f"noise_{unit}": sigma for unit, sigma in noise.items()},
+        notes=() if noise.keys() <= {"mm"} else (f"noise of the readings: {words}",),
+    )
 
 
-def _noise_in_words(found: Any, noise: float) -> str | None:
-    """Return the unit in which noise was taken, in words, where that is not mm alone."""
+def _noise_of(found: Any, noise: float) -> dict[str, float]:
+    """Return the noise of a simulated recording at rest by its unit, lengths before rotations."""
     from deltacal_gen.instrument.kinds import kind_of
     from deltacal_gen.results.reader import KINDS_IN_MOTION
 
     if not noise or found.kind in KINDS_IN_MOTION:
-        return None
-    kind, rotations = kind_of(found.kind), found.measurement.sigma_deg
-    if kind.rotations:
-        return f"noise: {noise:g} mm of positions, {rotations:.3g} deg of rotations"
-    unit = kind.unit_in(found.columns)
-    return None if unit == "mm" else f"noise: {noise:g} {unit} of each reading"
+        return {}
+    kind = kind_of(found.kind)
+    return {kind.unit_in(found.columns): noise} | ({"deg": found.measurement.sigma_deg} if kind.rotations else {})
 
 
 def matrix(found: Any, given: Given, told: Told) -> Any:
-    """Return what stands for an identification matrix."""
+    """Return the receipt of an identification matrix; in motion with the combinations that the samples determine."""
     from deltacal_gen.identification.identifiability import observability
-    from deltacal_gen.results.written import Matrix
+    from deltacal_gen.results.document import number
 
     rows, columns = found["H"].shape
     words = {key: tuple(map(str, found[key])) for key in ("combinations", "unidentifiable") if key in found}
     seen = None if words else observability(found["H"], rows)
-    return Matrix(
-        file=str(given["output"]),
-        rows=rows,
-        columns=columns,
-        rank=len(words["combinations"]) if seen is None else seen.rank,
-        condition=seen.condition if seen is not None and seen.rank == columns else None,
-        scaling=str(found["scaling"]),
-        combinations=words.get("combinations"),
-        unidentifiable=words.get("unidentifiable"),
-    )
+    rank = len(words["combinations"]) if seen is None else seen.rank
+    condition = seen.condition if seen is not None and seen.rank == columns else None
+    size = f"H {rows} x {columns}, rank {rank}, condition {number(condition)} (scaling {found['scaling']})"
+    sizes = {"rows": rows, "columns": columns, "rank": rank, "condition": condition, "scaling": str(found["scaling"])}
+    notes = tuple(f"{name}: {'; '.join(each)}" for name, each in words.items())
+    return receipt("matrix", given, size, figures=sizes | words, notes=notes)
 
 
 def commanded(found: Any, given: Given, told: Told) -> Any:
-    """Return what stands for commands, an export, or commands along a trajectory."""
+    """Return the receipt of commands, of an export, or of commands along a trajectory."""
     import numpy as np
 
-    from deltacal_gen.results.written import FedForward, Joints
-
-    file = str(given["output"]) if "output" in given else None
     if given.get("trajectory"):
-        columns = tuple(found.columns_of_file())
-        how = {"joints": found.joints_in_files, "torques": found.torque, "units": found.units}
-        return FedForward(columns=columns, **how, told=told, file=file)
-    export, kind = given.get("export"), given.get("method", "exact")
-    joints, firmware = (np.zeros((0, 3)), found) if export else (found, None)
-    return Joints(kind=kind, export=export, joints=joints, assumed=told, firmware=firmware, file=file)
+        table = {name: column for name, column in found.columns_of_file().items() if name != "run"}
+        what = {"columns": tuple(table), "rows": np.column_stack(list(table.values()))}
+        summary = f"{len(found.torque)} samples with joints and torques"
+    elif export := given.get("export"):
+        kind = given.get("method", "exact")
+        what = {"figures": {"export": export, "method": kind}, "firmware": found}
+        summary = f"{kind} compensator; its error is stated in the file"
+    else:
+        what, summary = {"rows": found}, f"{len(found)} commands"
+    return receipt("compensate", given, summary, notes=told, **what)
 
 
 def predicted(found: Any, given: Given, told: Told) -> Any:
-    """Return what stands for predicted readings."""
+    """Return the receipt of predicted readings."""
     from deltacal_gen.machine.values import Recording
-    from deltacal_gen.results.written import Predicted
     from deltacal_gen.use.prediction import CORRECTED
 
     if not isinstance(found, Recording):
@@ -86,19 +94,16 @@ def predicted(found: Any, given: Given, told: Told) -> Any:
                 f"{(share < 1).sum()} of {len(share)} rows lie outside what was measured for the smooth correction; it "
                 f"fades there and at {(share == 0).sum()} of them nothing is corrected (column {CORRECTED})",
             )
-    return Predicted(file=str(given["output"]), kind=kind, readings=rows, told=told)
+    summary = f"{rows} readings of the kind {kind} predicted"
+    return receipt("predict", given, summary, figures={"readings": rows, "kind": kind}, notes=told)
 
 
 def imported(found: Any, given: Given, told: Told) -> Any:
-    """Return what stands for an import."""
-    from deltacal_gen.results.written import Imported
-
-    return Imported(
-        folder=str(given["output"]),
-        robot=None if found.robot is None else "robot.toml",
-        recordings=tuple(f"{name}.csv" for name in found.recordings),
-        warnings=tuple(found.warnings),
-    )
+    """Return the receipt of an import."""
+    names = [*([] if found.robot is None else ["robot.toml"]), *(f"{name}.csv" for name in found.recordings)]
+    files = tuple(str(Path(given["output"]) / name) for name in names)
+    notes = tuple(f"warning: {words}" for words in found.warnings)
+    return receipt("import", given, ", ".join(names), files=files, notes=notes)
 
 
 def claims(found: Any, given: Given, told: Told) -> Any:
@@ -109,10 +114,10 @@ def claims(found: Any, given: Given, told: Told) -> Any:
 
 
 def page(found: str, given: Given, told: Told) -> Any:
-    """Return what stands for a page of the manual."""
+    """Return the receipt of a page of the manual, or of the examples that it copied."""
     from deltacal_gen.pages.manual import CONTENTS
-    from deltacal_gen.results.written import Manual
 
     topic = given.get("topic") or given.get("code")
     files = tuple(found.splitlines()) if topic is None and "examples" in given else ()
-    return Manual(topic=topic or CONTENTS, text=None if files else found, files=files)
+    figures = {"topic": topic or CONTENTS}
+    return receipt("manual", given, ", ".join(files), files=files, figures=figures, text=None if files else found)

@@ -46,21 +46,23 @@ class Terminal:
     def fail(self, error: DeltacalError) -> int:
         """Print an error, with the code of its family; return the exit code."""
         if self.as_json:
+            from deltacal_gen.results.written import Failure
+
             where = {name: getattr(error, name, None) for name in ("file", "line", "column")}
-            told = {"code": error.code, "error": str(error), "exit_code": error.exit_code}
-            self._write({"schema": "deltacal.error/1", **told, **where, "file": where["file"] and str(where["file"])})
+            where["file"] = where["file"] and str(where["file"])
+            told = Failure(code=error.code, error=str(error), exit_code=error.exit_code, **where)
+            self._write(told.to_dict())
         self.warn(str(error), f"error[{error.code}]")
         return error.exit_code
 
     def show(self, answer: Any) -> None:
         """Print an answer, or several, as it was asked for."""
         from deltacal_gen.results.base import plain
-        from deltacal_gen.results.written import Manual
 
         if self.as_json:
             self._write(plain(answer))
-        elif isinstance(answer, Manual) and answer.text is not None:
-            self._page(answer.text)
+        elif (text := getattr(answer, "text", None)) is not None:
+            self._page(text)
         elif not self.quiet:
             self._document(answer)
 

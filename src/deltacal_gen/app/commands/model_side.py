@@ -13,7 +13,7 @@ from deltacal_gen.errors import OptionNotApplicable, UnknownName
 
 if TYPE_CHECKING:
     from deltacal_gen.results.registered import Claims, Effects, Mechanisms
-    from deltacal_gen.results.written import Derivation, Kernels, Reproduction
+    from deltacal_gen.results.written import Receipt
 
 
 def models(name: str | None = None) -> Mechanisms:
@@ -141,7 +141,7 @@ def claims(
     return Claims(ClaimEntry(**claim) for claim in checkout.run_review("claims", *given))
 
 
-def reproduce(paper: str, *, output: Source, progress: Progress = silent) -> Reproduction:
+def reproduce(paper: str, *, output: Source, progress: Progress = silent) -> Receipt:
     """Reproduce the tables and figures of a paper beside the printed ones (source checkout only).
 
     Parameters
@@ -164,18 +164,18 @@ def reproduce(paper: str, *, output: Source, progress: Progress = silent) -> Rep
     --------
     deltacal reproduce bai -o reproduced
     """
-    from deltacal_gen.results.written import Reproduction
+    from deltacal_gen.results.written import Receipt
 
     folder = Path(output)
     check_folder(folder)
     done = checkout.run_review("reproduce", paper, "-o", folder.absolute(), progress=progress)
     files = tuple(str(folder / Path(file).name) for file in done["files"])
-    return Reproduction(files=files, remade=tuple(done["remade"]))
+    remade = tuple(done["remade"])
+    summary = f"{len(remade)} tables and figures remade; open {files[0]}"
+    return Receipt(command="reproduce", summary=summary, files=files, figures={"remade": remade})
 
 
-def derivation(
-    model: str | None = None, *, all_: bool = False, output: Source, progress: Progress = silent
-) -> Derivation:
+def derivation(model: str | None = None, *, all_: bool = False, output: Source, progress: Progress = silent) -> Receipt:
     """Write the report for reviewers: every equation with its source and its checks (source checkout only).
 
     Parameters
@@ -199,7 +199,7 @@ def derivation(
     --------
     deltacal derivation delta/42 -o delta.html
     """
-    from deltacal_gen.results.written import Derivation
+    from deltacal_gen.results.written import Receipt
 
     if (model is None) != all_:
         raise OptionNotApplicable("give a model, a mechanism, an effect or a measurement, or else --all.")
@@ -210,9 +210,10 @@ def derivation(
         check_folder(target)
     chosen = () if model is None else (model,)
     task = ("derivation", *chosen, "-o", target.absolute())
-    files = checkout.run_review(*task, deriving=True, progress=progress)
-    folder = target if all_ else target.parent
-    return Derivation(files=tuple(str(folder / Path(file).name) for file in files))
+    written = checkout.run_review(*task, deriving=True, progress=progress)
+    files = tuple(str((target if all_ else target.parent) / Path(file).name) for file in written)
+    summary = f"{len(files)} file{'s' if len(files) > 1 else ''}; open {files[0]}"
+    return Receipt(command="derivation", summary=summary, files=files)
 
 
 def kernels(
@@ -223,7 +224,7 @@ def kernels(
     try_: Source | None = None,
     output: Source | None = None,
     progress: Progress = silent,
-) -> Kernels:
+) -> Receipt:
     """Derive the models and generate the kernel package (source checkout only), or compile it ahead of time.
 
     Parameters
@@ -253,12 +254,14 @@ def kernels(
     --------
     deltacal kernels delta --check
     """
-    from deltacal_gen.results.written import Kernels
+    from deltacal_gen.results.written import Receipt
 
     if warm:
-        return Kernels(done=True, seconds=_compiled(progress))
+        seconds = _compiled(progress)
+        each = "\n".join(f"{spent:7.2f} s  {name}" for name, spent in seconds.items())
+        return Receipt(command="kernels", summary=each, figures={f"{name}_s": spent for name, spent in seconds.items()})
     done = checkout.run_derivation(*names, *(["--check"] if check else []))
-    return Kernels(done=done, trial=None if not done or try_ is None else trial(try_, output))
+    return Receipt(command="kernels", summary=trial(try_, output) if done and try_ is not None else "", done=done)
 
 
 def trial(robot: Source, output: Source | None = None) -> str:
