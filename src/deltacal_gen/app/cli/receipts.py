@@ -20,28 +20,24 @@ def receipt(command: str, given: Given, summary: str, **what: Any) -> Any:
 
 def simulated(found: Any, given: Given, told: Told) -> Any:
     """Return the receipt of a simulated recording."""
-    rows = found.n_rows if found.pairs is None else len(found.pairs)
-    noise = _noise_of(found, given.get("noise", 0.0))
-    words = ", ".join(f"{sigma:.3g} {unit}" for unit, sigma in noise.items())
-    return receipt(
-        "simulate",
-        given,
-        f"{rows} readings of the kind {found.kind}",
-        files=tuple(map(str, (given["output"], Path(given["output"]).with_suffix(".toml")))),
-        figures={"readings": rows, "kind": found.kind} | {f"noise_{unit}": sigma for unit, sigma in noise.items()},
-        notes=() if noise.keys() <= {"mm"} else (f"noise of the readings: {words}",),
-    )
-
-
-def _noise_of(found: Any, noise: float) -> dict[str, float]:
-    """Return the noise of a simulated recording at rest by its unit, lengths before rotations."""
     from deltacal_gen.instrument.kinds import kind_of
     from deltacal_gen.results.reader import KINDS_IN_MOTION
 
-    if not noise or found.kind in KINDS_IN_MOTION:
-        return {}
-    kind = kind_of(found.kind)
-    return {kind.unit_in(found.columns): noise} | ({"deg": found.measurement.sigma_deg} if kind.rotations else {})
+    figures, files = _read(found), (str(given["output"]), str(Path(given["output"]).with_suffix(".toml")))
+    if (sigma := given.get("noise")) and found.kind not in KINDS_IN_MOTION:
+        kind = kind_of(found.kind)
+        figures[f"noise_{kind.unit_in(found.columns)}"] = sigma
+        figures |= {"noise_deg": found.measurement.sigma_deg} if kind.rotations else {}
+    noise = ", ".join(f"{value:.3g} {name[6:]}" for name, value in figures.items() if name.startswith("noise_"))
+    notes = (f"noise of a reading: {noise}",) if noise else ()
+    summary = f"{figures['readings']} readings of the kind {found.kind}"
+    return receipt("simulate", given, summary, files=files, figures=figures, notes=notes)
+
+
+def _read(found: Any) -> dict[str, Any]:
+    """Return how many readings a recording holds, and of which kind."""
+    rows = found.n_rows if found.pairs is None else len(found.pairs)
+    return {"readings": rows, "kind": found.kind}
 
 
 def matrix(found: Any, given: Given, told: Told) -> Any:
@@ -83,19 +79,16 @@ def predicted(found: Any, given: Given, told: Told) -> Any:
     from deltacal_gen.use.prediction import CORRECTED
 
     if not isinstance(found, Recording):
-        kind, rows = found.said.measurement.kind, found.n_rows
         told = (*told, "At rest, where friction is not known, samples are blank.")
-    else:
-        kind, rows = found.kind, found.n_rows if found.pairs is None else len(found.pairs)
-        share = found.channels.get(CORRECTED)
-        if share is not None and (share < 1).any():
-            told = (
-                *told,
-                f"{(share < 1).sum()} of {len(share)} rows lie outside what was measured for the smooth correction; it "
-                f"fades there and at {(share == 0).sum()} of them nothing is corrected (column {CORRECTED})",
-            )
-    summary = f"{rows} readings of the kind {kind} predicted"
-    return receipt("predict", given, summary, figures={"readings": rows, "kind": kind}, notes=told)
+    elif (share := found.channels.get(CORRECTED)) is not None and (share < 1).any():
+        told = (
+            *told,
+            f"{(share < 1).sum()} of {len(share)} rows lie outside what was measured for the smooth correction; it "
+            f"fades there and at {(share == 0).sum()} of them nothing is corrected (column {CORRECTED})",
+        )
+    figures = _read(found)
+    summary = f"{figures['readings']} readings of the kind {found.kind} predicted"
+    return receipt("predict", given, summary, figures=figures, notes=told)
 
 
 def imported(found: Any, given: Given, told: Told) -> Any:
