@@ -45,7 +45,7 @@ STEERING = {
         *("ABOVE_NOISE", "ABOVE_SIZE", "SPARE"),
     ),
     "identification.folds": ("FOLDS",),
-    "identification.orders": ("PROVEN", "SAME_NOISE"),
+    "identification.functions": ("PROVEN", "SAME_NOISE"),
     "diagnosis.answer": ("SHORT",),
     "diagnosis.diagnosis": ("MACHINED", "MOST_POSES"),
     "diagnosis.evidence": ("FAR", "SHORT", "MOST_WRONG"),

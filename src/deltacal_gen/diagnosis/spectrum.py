@@ -19,7 +19,9 @@ import numpy as np
 
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
-from deltacal_gen.identification.orders import ORDERS, Orders, as_terms, shape, wave, waves
+from deltacal_gen.estimation.residuals import lengths, rms
+from deltacal_gen.identification.functions import Functions, Linear, Sized, confirmed
+from deltacal_gen.identification.orders import ORDERS, all_orders, as_terms, shape, solved, wave, waves
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.terms import Term
 from deltacal_gen.results.diagnosis import Seen
@@ -112,42 +114,57 @@ def periodic(at: Fit, parts: Sequence[tuple[np.ndarray, np.ndarray]], known: Spe
     rows = problem.readings.rows
     if rows.shape[1] != 1 or not wave():
         return None
-    turns = problem.body.q[rows[:, 0]]
+    q, used = problem.body.q, rows[:, 0]
     turning = [unit == "rad" for unit in problem.mechanism.joint_units]
-    limbs = [j + 1 for j, span in enumerate(np.ptp(turns, axis=0)) if turning[j] and span > LEAST_TURN]
+    limbs = [j + 1 for j, span in enumerate(np.ptp(q[used], axis=0)) if turning[j] and span > LEAST_TURN]
     if not limbs:
         return None
-    held = {} if known is None else {j: known.coefficients(j) for j in known.limbs}
-    linear = Orders(at, turns, limbs, parts, held)
-    gains, found, corner = {}, None, CORNER if known is None else known.corner
+    held = {} if known is None else {j: known.coefficients(j).ravel() for j in known.limbs}
+    linear = Linear(at, parts, put_back=[(all_orders(q, j), c) for j, c in held.items()])
+    corner = CORNER if known is None else known.corner
     while limbs:
-        found = linear.sized(limbs, corner)
-        if linear.weighs_otherwise(found.noise):
-            found = linear.sized(limbs, found.corner)
-        corner = found.corner
-        gains = {j: linear.gain(found, j) for j in limbs}
+        functions = linear.functions([all_orders(q, j) for j in limbs])
+        found, corner = _sized(linear, functions, corner)
+        joints = np.repeat(limbs, 2 * ORDERS)
+        gains = {j: linear.gain(found, np.where(joints == j, 0.0, found.D)) for j in limbs}
         if all(g > MARGIN for g in gains.values()):
             break
         limbs = [j for j in limbs if gains[j] > MARGIN]
-    if not limbs or found is None:
+    if not limbs:
         return None
-    heldout = linear.borne_out(found)
-    if heldout is None:
+    before, after = linear.held_out(linear.alone), linear.held_out(found)
+    if not confirmed(problem, before, after):
         return None
-    each = linear.solved(found)
-    angles = {j: seen(turns[:, j - 1], found.corner) for j in limbs}
+    kind, (each, covariance) = problem.readings.kind, solved(linear, found, used)
+    own = dict(zip(limbs, each, strict=True))
+    angles = {j: seen(q[used, j - 1], corner) for j in limbs}
     return Spectrum(
-        as_terms({j: own.values for j, own in each.items()}),
-        tuple(np.full((len(limbs), 2), v**0.5) for v in found.variance * _carrying(shape(found.corner))),
+        as_terms({j: c.values for j, c in own.items()}),
+        tuple(np.full((len(limbs), 2), v**0.5) for v in found.variance * _carrying(shape(corner))),
         gains,
-        {j: own.rms for j, own in each.items()},
-        {j: own.std for j, own in each.items()},
+        {j: c.rms for j, c in own.items()},
+        {j: c.std for j, c in own.items()},
         angles,
-        found.corner,
-        heldout,
-        linear.covariance(found),
-        {j: _standing(own.values, own.covariance, angles[j]) for j, own in each.items()},
+        corner,
+        (rms(lengths(before, kind)), rms(lengths(after, kind))),
+        covariance,
+        {j: _standing(c.values, c.covariance, angles[j]) for j, c in own.items()},
     )
+
+
+def _sized(linear: Linear, functions: Functions, start: float) -> tuple[Sized, float]:
+    """Return the size and the corner of the largest evidence, sought from a corner on."""
+
+    def at(corner: float) -> Sized:
+        return linear.sized(functions, np.tile(np.repeat(shape(corner), 2), len(functions.each)))
+
+    best, corner = at(start), start
+    for factor in (2.0, 0.5):
+        while 1.0 < corner * factor < ORDERS and (other := at(corner * factor)).evidence > best.evidence:
+            best, corner = other, corner * factor
+        if corner > start:
+            break
+    return best, corner
 
 
 def _standing(values: Array, covariance: np.ndarray, angles: Sequence[tuple[float, float]]) -> tuple[Standing, ...]:

@@ -21,10 +21,11 @@ from deltacal_gen.errors import InputError, MissingChannel, NoSolutionError
 from deltacal_gen.estimation.fit import fit, held_out_errors
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
-from deltacal_gen.estimation.residuals import lengths
+from deltacal_gen.estimation.residuals import lengths, rms
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.identification.folds import folds
-from deltacal_gen.identification.orders import ORDERS, Orders, as_terms, shape, wave, waves
+from deltacal_gen.identification.functions import Linear, confirmed
+from deltacal_gen.identification.orders import ORDERS, all_orders, as_terms, shape, solved, wave, waves
 from deltacal_gen.machine.places import at
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.values import Robot
@@ -198,29 +199,30 @@ def further(at: Fit, known: Periodic, again: Callable[[tuple[Term, ...]], Fit]) 
     limbs = [j for j in known.errors if any(t.effect == wave() and j in t.limbs for t in problem.held)]
     if not limbs or rows.shape[1] != 1:
         return None
-    parts, roots = folds(problem.readings, problem.recording), dict(zip(limbs, known.roots(limbs), strict=True))
-    linear = Orders(at, problem.body.q[rows[:, 0]], limbs, parts, {}, list(roots.values()))
-    found = linear.of_prior(limbs, known.corner, np.ones(2 * ORDERS))
-    if linear.weighs_otherwise(found.noise):
-        found = linear.of_prior(limbs, known.corner, found.prior)
-    heldout = linear.borne_out(found)
-    stand = {j: np.linalg.solve(L, known.errors[j]) for j, L in roots.items()}
-    if heldout is None or heldout[1] >= linear.without(stand).held_out_rms(None):
+    parts, roots, q = folds(problem.readings, problem.recording), known.roots(limbs), problem.body.q
+    linear = Linear(at, parts)
+    functions = linear.functions([all_orders(q, j, L) for j, L in zip(limbs, roots, strict=True)])
+    found = linear.sized(functions, np.ones(2 * ORDERS * len(limbs)))
+    mended = Linear(at, parts, put_back=[(all_orders(q, j), known.errors[j]) for j in limbs])
+    errors = linear.held_out(linear.alone), linear.held_out(found), mended.held_out(mended.alone)
+    before, after, without = (rms(lengths(e, problem.readings.kind)) for e in errors)
+    if not confirmed(problem, *errors[:2]) or after >= without:
         return None
-    each = linear.solved(found)
+    each, covariance = solved(linear, found, rows[:, 0])
+    changes = [L @ own.values for L, own in zip(roots, each, strict=True)]
     held = [t for t in problem.held if t.effect != wave()]
-    held += as_terms({j: known.errors[j] + roots[j] @ own.values for j, own in each.items()})
+    held += as_terms({j: known.errors[j] + more for j, more in zip(limbs, changes, strict=True)})
     # what is found beside them is as unknown as the orders leave it, their own degrees of freedom counted
     again_at = dataclasses.replace(
         again(tuple(held)),
-        covariance=linear.covariance(found),
+        covariance=covariance,
         sigma=at.sigma * found.noise**0.5,
     )
     told = Continued(
         limbs=tuple(limbs),
-        change_rms_deg={str(j): own.rms / DEG for j, own in each.items()},
-        held_rms_mm=heldout[0],
-        heldout_rms_mm=heldout[1],
+        change_rms_deg={str(j): own.rms / DEG for j, own in zip(limbs, each, strict=True)},
+        held_rms_mm=before,
+        heldout_rms_mm=after,
     )
     return Further(again_at, told)
 
