@@ -174,6 +174,11 @@ def test_a_plan_that_carries_too_little_is_refused(robot: Robot, plan: Path, tmp
         dc.study(robot, plan=short, model="32", noise=0.01)
 
 
+def test_a_suspicion_of_no_effect_is_refused(plan: Path) -> None:
+    with pytest.raises(InputError, match=r"truth\.toml: this names no effect"):
+        dc.study(example() / "robot.toml", plan=plan, noise=0.01, suspect=[example() / "truth.toml"])
+
+
 def test_a_trajectory_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "trajectory.csv"
     dc.plan_trajectory(example() / "robot.toml", output=path, runs=1, period_s=4.0)

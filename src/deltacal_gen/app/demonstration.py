@@ -15,6 +15,7 @@ from pathlib import Path
 import numpy as np
 
 from deltacal_gen.app.commands.calibration import diagnose, identify
+from deltacal_gen.estimation.residuals import rms
 from deltacal_gen.files.robot import read_robot, robot_to_toml
 from deltacal_gen.files.writing import write_files
 from deltacal_gen.identification.accuracy import check_poses, workspace_of
@@ -104,6 +105,5 @@ def _check(truth: Compensator, commanders: Sequence[tuple[str, Compensator]]) ->
         joints, _ = commander.command(targets, None, commander.channels(columns, n)[0])
         reached, _ = truth.reached(joints, None, truth.channels(columns, n)[0])
         errors = sizes_aligned(targets, reached)
-        rms = float(np.sqrt(np.mean(errors**2)))
-        rows.append(Check(model=name, rms_mm=rms, worst_mm=float(errors.max()), poses=n))
+        rows.append(Check(model=name, rms_mm=rms(errors), worst_mm=float(errors.max()), poses=n))
     return tuple(rows)

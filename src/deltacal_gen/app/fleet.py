@@ -146,8 +146,7 @@ def find(folder: str | Path, action: str = "diagnose", machine: str | None = Non
         tables = [t for t in sorted(place.glob("*.csv")) if not t.name.endswith(OWN)]
         recordings = [t for t in tables if is_recording(t) or kinds.is_recording(t)]
         result = place / RESULT if action == "validate" else None
-        labels = {table: table.relative_to(folder).as_posix() for table in recordings}
-        found += [_job(label, machine, place / ROBOT, table, result) for table, label in labels.items()]
+        found += [_job(t.relative_to(folder).as_posix(), machine, place / ROBOT, t, result) for t in recordings]
         for kind, path, files in () if recordings else importers.recognised(place):
             label = path.relative_to(folder).as_posix()
             found.append(Job(label, _machine_of(label, machine), {f.name: f for f in files}, kind=kind))

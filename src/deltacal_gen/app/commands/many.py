@@ -16,7 +16,7 @@ from deltacal_gen.app.commands.common import (
     in_motion,
     untold,
 )
-from deltacal_gen.errors import MissingChannel, NoiseUnknown, OptionNotApplicable, ValueOutOfRange
+from deltacal_gen.errors import MissingChannel, NoiseUnknown, OptionNotApplicable, ValueOutOfRange, WrongFile
 
 if TYPE_CHECKING:
     from deltacal_gen.app.commands.common import AnyRecording, AnyRobot
@@ -150,6 +150,8 @@ def _machines(
             file=poses.path,
         )
     concealed = tuple(simulation.read_truth(file, robot).terms for file in suspects)
+    if plain := [file for file, terms in zip(suspects, concealed, strict=True) if not terms]:
+        raise WrongFile("this names no effect, so nothing would be concealed.", "Add [[effects]].", file=plain[0])
     made = Machines(robot, poses, (), (), 0.0, 0.0, suspects=concealed, seed=seed)
     sigma = kind.sigma(said, made.instrument.scale) or 0.0
     turns = (poses.measurement.sigma_rad or sigma / TURN_MM) if kind.rotations else 0.0

@@ -197,9 +197,8 @@ def feed_forward(
     if not isinstance(known, MotionModel):
         raise OptionNotApplicable("torques along a trajectory need a result of a recording in motion (kind torque).")
     found = along.feed_forward(known, targets)
-    for words in (*found.given.repairs, along.blanks(found), along.bent(found)):
-        if words is not None:
-            tell(words)
+    for words in filter(None, (*found.given.repairs, along.blanks(found), along.bent(found))):
+        tell(words)
     if slow := [f"joint {j + 1}: {count}" for j, count in enumerate(found.ramped.tolist()) if count]:
         tell(f"samples near rest, at which friction is ramped: {', '.join(slow)}")
     if still := [str(j + 1) for j in range(found.torque.shape[1]) if np.isnan(found.torque[:, j]).all()]:
@@ -277,9 +276,9 @@ def predict(
     done = prediction.predict(known, given, placed)
     if kind_of(given.kind).in_differences(given.measurement):
         tell('Values are changes from the first row, as the sidecar says (zero = "incremental").')
-    for words in (prediction.told_of_events(known, given), in_words(prediction.beyond_laws(known, given), "rows")):
-        if words is not None:
-            tell(words)
+    beyond = in_words(prediction.beyond_laws(known, given), "rows")
+    for words in filter(None, (prediction.told_of_events(known, given), beyond)):
+        tell(words)
     ends: dict[str, Array] = {}
     if bands:
         from deltacal_gen.use.bands import known_of, predicted_bands
@@ -305,9 +304,8 @@ def _predicted_in_motion(
 
     found = moving_like(recording).predict(known, bands=bands)
     beyond = in_words(found.outside, "samples"), not_shown(found.unshown.sum(axis=0).tolist())
-    for words in (*put_right(found.repairs), *beyond):
-        if words is not None:
-            tell(words)
+    for words in filter(None, (*put_right(found.repairs), *beyond)):
+        tell(words)
     if output is not None:
         write_files({Path(output): csv_text(columns_of(found))})
     return found
