@@ -97,7 +97,7 @@ RULES = (
     Rule("diagnosis.evidence:Evidence.denies", False),
     Rule("diagnosis.evidence:Evidence.falls_short", False),
     Rule("diagnosis.correction:borne_out_beside"),
-    Rule("diagnosis.correction:_beyond_doubt", True),
+    Rule("identification.functions:confirmed", True),
     Rule("diagnosis.refits:_correlated"),
     Rule("diagnosis.refits:believable", given=1),
     Rule("diagnosis.scattering:scattering"),

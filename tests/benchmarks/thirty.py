@@ -65,7 +65,7 @@ STEERING = {
     "diagnosis.wandering": ("MODES",),
     "diagnosis.scattering": ("ROUNDED", "SIZES"),
     "diagnosis.unnamed": ("SMALLEST",),
-    "diagnosis.correction": ("PROVEN", "LENGTHS", "SIZES", "KNOTS", "CANDIDATES"),
+    "diagnosis.correction": ("LENGTHS", "KNOTS", "CANDIDATES"),
     "diagnosis.laws.screen": ("PART", "LOOKED_AT", "KINDS", "REFINED", "NEAR"),
     "diagnosis.laws.shape": ("MOST", "CLOSER", "LITTLE", "HARDLY", "RUNS", "FARTHER"),
     "diagnosis.laws.search": ("SHARE", "ON_THE_WAY", "TRIMMED", "TRIED", "LOOKS"),

@@ -56,6 +56,10 @@ class Functions(NamedTuple):
     each: tuple[Function, ...]
     products: tuple[Array, ...]
 
+    def parted(self, values: Array) -> list[Array]:
+        """Return values (n, ...) of all coefficients function by function."""
+        return np.split(values, np.cumsum([f.values.shape[1] * len(f.places) for f in self.each], dtype=int))[:-1]
+
 
 class Sized(NamedTuple):
     """How large functions are before the readings: c ~ N(0, variance D), in whitened rows of variance `noise`.
@@ -135,12 +139,11 @@ class Linear:
     def units(self, functions: Functions) -> Array:
         """Return D of functions, each of which brings each of its places' readings the variance of their noise."""
         square = np.sum([np.diag(G) for G in functions.products], axis=0)[self.n + 1 :]
-        out, at = np.zeros(len(square)), 0
-        for f in functions.each:
-            own = slice(at, at := at + f.values.shape[1] * len(f.places))
-            by_place = square[own].reshape(-1, len(f.places)).sum(axis=0) / self._scalars(NONE)
-            out[own] = np.tile(np.where(by_place > 0, 1 / np.maximum(by_place, 1e-300), 0.0), f.values.shape[1])
-        return out
+        unit = [np.zeros(0)]
+        for f, own in zip(functions.each, functions.parted(square), strict=True):
+            by_place = own.reshape(-1, len(f.places)).sum(axis=0) / self._scalars(NONE)
+            unit.append(np.tile(np.where(by_place > 0, 1 / np.maximum(by_place, 1e-300), 0.0), f.values.shape[1]))
+        return np.concatenate(unit)
 
     def _scalars(self, without: Set[int]) -> float:
         """Return the effective number of scalars that are read, but for those of some parts."""
@@ -204,13 +207,15 @@ class Linear:
         scale = np.append(self._scale, np.ones(len(found.D)))
         return np.asarray(found.noise * np.linalg.inv(self._normal(found)[0]) * scale * scale[:, None])
 
+    def moves(self, functions: Functions, step: Array, chosen: np.ndarray) -> list[Array]:
+        """Return by how much each function moves some readings (R, k) [mm, rad] in a step."""
+        each = zip(functions.each, functions.parted(step[self.n :]), strict=True)
+        return [self.moved(f, chosen) @ own for f, own in each]
+
     def errors(self, found: Sized, step: Array, chosen: np.ndarray) -> Array:
         """Return what a step leaves of some readings (R, k) [mm, rad]."""
-        out, at = self.residual[chosen] - self._raw[chosen] @ step[: self.n], self.n
-        for f in found.functions.each:
-            own = slice(at, at := at + f.values.shape[1] * len(f.places))
-            out = out - self.moved(f, chosen) @ step[own]
-        return np.asarray(out)
+        left = self.residual[chosen] - self._raw[chosen] @ step[: self.n]
+        return np.asarray(left - sum(self.moves(found.functions, step, chosen)))
 
     def held_out(self, found: Sized) -> Array:
         """Return the errors (R, k) of readings by fits that have not seen them; nan of gross errors."""
