@@ -15,8 +15,7 @@ from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.limits import PATTERNS, limits_of
 from deltacal_gen.pages import figures
 from deltacal_gen.pages.figures import mpl
-from deltacal_gen.results.plan import Plan
-from deltacal_gen.results.trajectories import MotionPlan
+from deltacal_gen.results.plan import MotionPlan, Plan
 from deltacal_gen.states import TIME
 from deltacal_gen.units import joint_factors, joint_names
 

@@ -35,8 +35,8 @@ from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.limits import PATTERNS, home_of, limits_of
 from deltacal_gen.motion.rigid import Rigid
 from deltacal_gen.planning.matrix import finite, indices_of
+from deltacal_gen.results.plan import JointSeries, MotionPlan
 from deltacal_gen.results.reader import TORQUE
-from deltacal_gen.results.trajectories import JointSeries, MotionPlan
 from deltacal_gen.states import TIME
 from deltacal_gen.units import file_unit, joint_factors, joint_names, to_internal
 

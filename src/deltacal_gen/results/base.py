@@ -14,10 +14,10 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, Annotated, Any, Self
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self
 
 import numpy as np
-from pydantic import BaseModel, ConfigDict, model_serializer
+from pydantic import AliasChoices, AliasGenerator, BaseModel, ConfigDict, model_serializer
 from pydantic_core import core_schema
 
 from deltacal_gen.errors import NotInstalled
@@ -27,7 +27,12 @@ if TYPE_CHECKING:
     import pandas as pd
 
 Json = dict[str, Any]
-FIGURE = re.compile(r"(\w*rms|sigma|worst|error|open|mean|expanded|machine)_mm")  # keys of what readings are off
+UNITS = ("Nm", "N", "A", "1")  # of what drives give
+OF_ALL_JOINTS = ("train_rms", "heldout_rms", "sigma", "rms")  # whose keys end in the one unit of what drives give
+LENGTH = re.compile(r"(\w*rms|sigma|worst|error|open|mean|expanded|machine)_mm")  # keys of what readings are off
+
+
+# ------------------------------------------------------------------------------------------- keys that end in a unit
 
 
 def key_of(field: str) -> str:
@@ -35,33 +40,35 @@ def key_of(field: str) -> str:
     return field.removesuffix("_")
 
 
-def plain(value: Any) -> Any:
-    """Return a value as `json` reads it back: dictionaries, lists, numbers, text."""
-    if isinstance(value, Value):
-        return value.to_dict()
-    if isinstance(value, Mapping):
-        return {key: plain(v) for key, v in value.items()}
-    return [plain(v) for v in value] if isinstance(value, tuple | list) else value
+def keys_of(field: str) -> tuple[str, ...]:
+    """Return all keys under which a field may stand in JSON: of drives, each figure of all joints in their unit."""
+    return tuple(f"{field}_{unit}" for unit in UNITS) if field in OF_ALL_JOINTS else (key_of(field),)
 
 
-def in_unit(found: Any, unit: str, length: float) -> Any:
-    """Return JSON in which each figure of a reading stands in the unit of its kind too, beside its size in mm.
+def _aliases(field: str) -> AliasChoices:
+    return AliasChoices(*keys_of(field))
+
+
+def in_units(found: Any, unit: str, length: float, lengths: re.Pattern[str] = LENGTH) -> Any:
+    """Return JSON under the keys of files, which end in the unit of what was read.
 
     Parameters
     ----------
     unit : str
-        Of files: px, deg.
+        Of files: px and deg, in which each length of a reading stands too; Nm, N, A or 1, in which drives are read.
     length : float
         What it is at the platform [mm].
+    lengths : re.Pattern
+        Keys of what stands in that unit too.
     """
-    if isinstance(found, list):
-        return [in_unit(v, unit, length) for v in found]
+    if isinstance(found, list) and found and isinstance(found[0], list | dict):
+        return [in_units(v, unit, length, lengths) for v in found]
     if not isinstance(found, dict):
         return found
     out: Json = {}
     for key, value in found.items():
-        out[key] = in_unit(value, unit, length)
-        if FIGURE.fullmatch(key) and value is not None:
+        out[f"{key}_{unit}" if key in OF_ALL_JOINTS else key] = in_units(value, unit, length, lengths)
+        if lengths.fullmatch(key) and value is not None:
             each = {k: v / length for k, v in value.items()} if isinstance(value, dict) else value / length
             out[key.removesuffix("mm") + unit] = each
     return out
@@ -73,6 +80,15 @@ def shown_in(answer: Any) -> tuple[str, float]:
     return (unit, length) if unit and length else ("mm", 1.0)
 
 
+def plain(value: Any) -> Any:
+    """Return a value as `json` reads it back: dictionaries, lists, numbers, text."""
+    if isinstance(value, Value):
+        return value.to_dict()
+    if isinstance(value, Mapping):
+        return {key: plain(v) for key, v in value.items()}
+    return [plain(v) for v in value] if isinstance(value, tuple | list) else value
+
+
 class Value(BaseModel):
     """Part of an answer. Two are equal where their JSON is."""
 
@@ -81,7 +97,9 @@ class Value(BaseModel):
         defer_build=True,  # until the first is made or read: a command uses few of these types
         arbitrary_types_allowed=True,
         allow_inf_nan=False,
-        alias_generator=key_of,
+        alias_generator=AliasGenerator(
+            validation_alias=lambda f: AliasChoices(*keys_of(f)), serialization_alias=key_of
+        ),
         populate_by_name=True,
         protected_namespaces=(),
     )
@@ -97,11 +115,7 @@ class Value(BaseModel):
         """Return the JSON without keys that are left out while they are null."""
         fields = type(self).model_fields
         absent = {key_of(n) for n, value in vars(self).items() if value is None and not fields[n].is_required()}
-        return self._keys({key: value for key, value in handler(self).items() if key not in absent})
-
-    def _keys(self, found: Json) -> Json:
-        """Return the JSON under the keys of files, where these depend on the unit of the readings."""
-        return found
+        return {key: value for key, value in handler(self).items() if key not in absent}
 
     def to_dict(self) -> Json:
         """Return the JSON as plain dictionaries, lists, numbers and text, the keys in the order of the file."""
@@ -121,6 +135,8 @@ class Answer(Value, Mapping[str, Any]):
     at the platform, and the file gives each of their figures in either.
     """
 
+    lengths: ClassVar[re.Pattern[str]] = LENGTH
+
     @classmethod
     def named(cls) -> str:
         """Return what `schema` says in answers of this type."""
@@ -130,7 +146,7 @@ class Answer(Value, Mapping[str, Any]):
         """Return the JSON as plain dictionaries, lists, numbers and text, the keys in the order of the file."""
         unit, length = shown_in(self)
         found = self.model_dump(mode="json", by_alias=True, include=only)
-        return found if unit == "mm" else in_unit(found, unit, length)
+        return found if unit == "mm" else in_units(found, unit, length, self.lengths)
 
     @property
     def headline(self) -> str:

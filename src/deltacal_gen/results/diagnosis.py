@@ -394,27 +394,41 @@ class Geometry(Value):
     parameters: tuple[Parameter, ...]
 
 
-class Diagnosis(Answer):
-    """Where model and recording differ and which physics was left out: contract, section 4."""
+class Diagnosed(Answer):
+    """What every diagnosis says, at rest or in motion: contract, sections 4 and 8."""
 
     schema_: Literal["deltacal.diagnosis/1"] = "deltacal.diagnosis/1"
     verdict: Verdict
     summary: str
     """One paragraph that a maintenance engineer can act on."""
-    noise: NoiseLevel
-    baseline: Baseline
     location: Location
-    effects: tuple[Effect, ...]
+    """In motion its channels carry the number of their joint: `speed2`, `angle3`."""
     search: Searched | None = None
     """Null in answers written before it was told."""
-    final: Final
-    rejected: tuple[Rejected, ...]
     hints: tuple[Hint, ...] = ()
     """What is not named but may be there."""
     not_tested: tuple[Missing, ...]
     next_measurements: tuple[NextMeasurement, ...]
     gross_errors: tuple[int, ...]
-    """Lines of the recording."""
+    """Lines of the recording; in motion also those in which something was put right."""
+    robot: RobotTables
+    """The calibrated machine."""
+    made: Made | None = None
+
+    @property
+    def headline(self) -> str:
+        """Verdict and summary."""
+        return f"{self.verdict.replace('_', ' ')}: {self.summary}"
+
+
+class Diagnosis(Diagnosed):
+    """Where model and recording differ and which physics was left out: contract, section 4."""
+
+    noise: NoiseLevel
+    baseline: Baseline
+    effects: tuple[Effect, ...]
+    final: Final
+    rejected: tuple[Rejected, ...]
     correction: SmoothCorrection | None
     residuals: Residuals
     sigma_mm: float
@@ -428,8 +442,6 @@ class Diagnosis(Answer):
     begun_s: float = 0.0
     """From when effects count the time [s]: 0, or the first reading where stamps count from long before it."""
     instrument: InstrumentState
-    robot: RobotTables
-    """The calibrated machine."""
     uncertainty: Uncertainty | None = None
     """Null in answers written before it was told."""
     unit: str | None = None
@@ -441,7 +453,6 @@ class Diagnosis(Answer):
     geometry: Geometry | None = None
     motion: SeriesMade | None = None
     """Of a recording in motion."""
-    made: Made | None = None
     turned: str | None = None
     """What would explain the most if the direction of approach counted the other way, in words; null for none."""
     laws: tuple[Law, ...] = ()
@@ -457,11 +468,6 @@ class Diagnosis(Answer):
         if not of.periods or of.harmonic_of is not None:
             return ()
         return tuple(e for e in self.effects if e.harmonic_of == of.periods[0] and e.limbs == of.limbs)
-
-    @property
-    def headline(self) -> str:
-        """Verdict and summary."""
-        return f"{self.verdict.replace('_', ' ')}: {self.summary}"
 
     def document(self) -> Document:
         """Yield the verdict, what was found, errors without and with it, what is suspected, and what to do next."""

@@ -7,49 +7,19 @@ tells them apart.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import Any, Literal
+from typing import ClassVar, Literal
 
-from pydantic import AliasChoices, Field
-
-from deltacal_gen.results.base import Answer, Column, Json, Numbers, Value
-from deltacal_gen.results.diagnosis import (
-    Effect,
-    EffectParameter,
-    Hint,
-    LawOf,
-    Location,
-    NextMeasurement,
-    Rejected,
-    Searched,
-    Verdict,
-)
+from deltacal_gen.results.base import Answer, Column, Numbers, Value
+from deltacal_gen.results.diagnosis import Diagnosed, Effect, EffectParameter, LawOf, NextMeasurement, Rejected
 from deltacal_gen.results.document import Document, Text
-from deltacal_gen.results.parts import SEEN, Made, Missing, RobotTables, Source, put_right
-from deltacal_gen.results.result import OpenCombination, Parameter, Read, Regularisation
+from deltacal_gen.results.parts import RobotTables, Source, put_right
+from deltacal_gen.results.result import Identified, OpenCombination, Parameter
+from deltacal_gen.results.validation import Validated
 
-UNITS = ("Nm", "N", "A", "1")  # of what drives give
-TOGETHER = ("train_rms", "heldout_rms", "sigma", "rms")  # keys that end in one of these
 ByJoint = tuple[float | None, ...]  # null of a joint that does not move in the recording
 
 
-def together(name: str) -> Any:
-    """Return the field of a figure of all joints together, in their one unit, in which its key ends."""
-    return Field(default=None, validation_alias=AliasChoices(*(f"{name}_{unit}" for unit in UNITS)))
-
-
-class OfJoints(Value):
-    """Figures of joints, and of all together where all are read in one unit."""
-
-    def _keys(self, found: Json) -> Json:
-        unit = self._units[0] if self._units else ""
-        return {f"{key}_{unit}" if key in TOGETHER else key: value for key, value in found.items()}
-
-    @property
-    def _units(self) -> tuple[str, ...]:
-        return getattr(self, "unit_by_joint", ())
-
-
-class Left(OfJoints):
+class Left(Value):
     """What a model leaves of the readings of samples in motion, all joints together and joint by joint.
 
     Together only where all joints are read in one unit. `_by_joint` are in `unit_by_joint`; `_filtered` are of readings
@@ -57,8 +27,8 @@ class Left(OfJoints):
     """
 
     model: str | None = None
-    train_rms: float | None = together("train_rms")
-    heldout_rms: float | None = together("heldout_rms")
+    train_rms: float | None = None
+    heldout_rms: float | None = None
     train_rms_by_joint: ByJoint
     heldout_rms_by_joint: ByJoint
     heldout_rms_by_joint_filtered: ByJoint
@@ -67,10 +37,10 @@ class Left(OfJoints):
     """Where the noise is declared."""
 
 
-class MotionNoise(OfJoints):
+class MotionNoise(Value):
     """Noise of single readings."""
 
-    sigma: float | None = together("sigma")
+    sigma: float | None = None
     sigma_by_joint: ByJoint
     unit_by_joint: tuple[str, ...]
     source: Source
@@ -229,6 +199,8 @@ class Consistent(Value):
 class MotionModel(Answer):
     """What results and diagnoses of recordings in motion have in common."""
 
+    unit_mm: ClassVar[float] = 1.0  # of drives there is one unit alone
+    final: Left
     kind: Literal["torque"]
     motion: Derivatives
     inertial: tuple[str, ...]
@@ -258,7 +230,11 @@ class MotionModel(Answer):
     traces: tuple[Trace, ...]
     gross_errors: tuple[int, ...]
     """Lines of the recording in which something was put right or left out: `motion.repairs` says what."""
-    made: Made | None = None
+
+    @property
+    def unit(self) -> str | None:
+        """In which all joints together are read."""
+        return next(iter(self.final.unit_by_joint), None)
 
     @property
     def base(self) -> tuple[InertialParameter, ...]:
@@ -276,29 +252,16 @@ class MotionModel(Answer):
         yield from map(Text, put_right(self.motion.repairs))
 
 
-class MotionResult(MotionModel, OfJoints):
+class MotionResult(Identified, MotionModel):
     """The rigid machine in motion: contract, second part, section 8."""
 
-    schema_: Literal["deltacal.result/1"] = "deltacal.result/1"
-    model: str
     next_measurements: tuple[NextMeasurement, ...]
-    regularisation: Regularisation
-    readings: Read
     noise: MotionNoise
-    final: Left
-    train_rms: float | None = together("train_rms")
-    heldout_rms: float | None = together("heldout_rms")
-    sigma: float | None = together("sigma")
-    sigma_source: Source
-    chi2_per_dof: float | None
+    train_rms: float | None = None
+    heldout_rms: float | None = None
+    sigma: float | None = None
     friction: str | None = None
     """What friction, which is no part of the model, does to its parameters: where there is some."""
-    doubts: tuple[str, ...] | None = None
-    """Why the readings may not be of this machine."""
-
-    @property
-    def _units(self) -> tuple[str, ...]:
-        return self.final.unit_by_joint
 
     @property
     def headline(self) -> str:
@@ -324,41 +287,31 @@ class TorqueEffect(Effect):
     """
 
 
-class TorqueRejected(Rejected, OfJoints):
+class TorqueRejected(Rejected):
     """An effect that was looked at and not named, with what would be left of held-out samples with it."""
 
-    heldout_rms: float | None = together("heldout_rms")
+    heldout_rms: float | None = None
     heldout_rms_by_joint: ByJoint
     unit_by_joint: tuple[str, ...] = ()
 
 
-class TorqueLaw(LawOf, OfJoints):
+class TorqueLaw(LawOf):
     """A law of drives; held-out figures joint by joint are in `unit_by_joint`, null where the joint has no law."""
 
-    heldout_rms: float | None = together("heldout_rms")
+    heldout_rms: float | None = None
     heldout_rms_by_joint: ByJoint
     unit_by_joint: tuple[str, ...]
 
 
-class MotionDiagnosis(MotionModel):
+class MotionDiagnosis(Diagnosed, MotionModel):
     """Which friction and relatives of it a machine in motion has: contract, second part, section 8."""
 
-    schema_: Literal["deltacal.diagnosis/1"] = "deltacal.diagnosis/1"
-    verdict: Verdict
-    summary: str
     noise: MotionNoise
     baseline: Left
-    location: Location
-    """Its channels carry the number of their joint: `speed2`, `angle3`."""
     effects: tuple[TorqueEffect, ...]
-    search: Searched
-    final: Left
     ladder: tuple[LadderOf, ...]
     unexplained: tuple[Unexplained, ...]
     rejected: tuple[TorqueRejected, ...]
-    hints: tuple[Hint, ...] = ()
-    not_tested: tuple[Missing, ...]
-    next_measurements: tuple[NextMeasurement, ...]
     laws: tuple[TorqueLaw, ...] = ()
     """At most one: of every joint that has one a term or more, each at its joint."""
 
@@ -366,11 +319,6 @@ class MotionDiagnosis(MotionModel):
     def has_law(self) -> bool:
         """Whether a joint has a law that nobody has registered."""
         return bool(self.laws)
-
-    @property
-    def headline(self) -> str:
-        """Verdict and summary."""
-        return f"{self.verdict.replace('_', ' ')}: {self.summary}"
 
     def table(self) -> tuple[RungOf, ...]:
         """Return the rungs, joint by joint, the one that buys most first."""
@@ -386,33 +334,28 @@ class Worst(Value):
     unit: str
 
 
-class MotionValidation(Answer, OfJoints):
+class MotionValidation(Validated):
     """The error of a model on samples in motion that it has not seen."""
 
-    schema_: Literal["deltacal.validation/1"] = "deltacal.validation/1"
+    unit_mm: ClassVar[float] = 1.0  # of drives there is one unit alone
     kind: Literal["torque"]
-    readings: int
-    rms: float | None = together("rms")
+    rms: float | None = None
     rms_by_joint: ByJoint
     rms_by_joint_filtered: ByJoint
     unit_by_joint: tuple[str, ...]
     noise: MotionNoise
     """As the result knows it."""
-    chi2_per_dof: float | None
-    degrees_of_freedom: int
     at_rest: int
     """Readings at rest, which took no part."""
     rows: tuple[Worst, ...]
     """The worst first."""
-    repairs: tuple[str, ...] = ()
-    """What was put right in the recording, or left out of it, with its line."""
-    outside_law: int | None = None
-    """Samples outside of the range in which a law was found; null where there is none."""
     unshown_by_joint: tuple[int, ...] = ()
     """Samples that ask of a joint what the recording of the model did not show."""
-    seen: Literal[True] | None = None
-    """The model was made of this very file, which is then no check of it; left out of other samples."""
-    made: Made | None = None
+
+    @property
+    def unit(self) -> str | None:
+        """In which all joints together are read."""
+        return next(iter(self.unit_by_joint), None)
 
     @property
     def headline(self) -> str:
@@ -420,15 +363,9 @@ class MotionValidation(Answer, OfJoints):
         each = zip(self.rms_by_joint, self.unit_by_joint, strict=True)
         return f"{self.readings} readings in motion: rms {by_limb(each)}"
 
-    @property
-    def told(self) -> tuple[str, ...]:
-        """What is to be known beside the error: of which samples it is, and where the model is not known."""
-        law = f"{self.outside_law} samples lie outside the range in which the law was found" if self.outside_law else ""
-        return tuple(words for words in (SEEN if self.seen else "", law, not_shown(self.unshown_by_joint)) if words)
-
-    def document(self) -> Document:
-        """Yield the error, and what is said of it."""
-        yield from map(Text, (self.headline, *self.told, *put_right(self.repairs)))
+    def _beside(self) -> tuple[str, ...]:
+        words = not_shown(self.unshown_by_joint)
+        return () if words is None else (words,)
 
 
 def not_shown(samples: Sequence[int]) -> str | None:

@@ -39,14 +39,29 @@ class Expected(Value):
     tool_max_mm: float
 
 
-class Plan(Answer):
-    """Measuring poses and how they were chosen. Figures stand set by set; null stands for what is infinite."""
+class Planned(Answer):
+    """How well what was planned determines a model. Figures stand set by set, or run by run with those before it."""
 
     schema_: Literal["deltacal.plan/1"] = "deltacal.plan/1"
     robot: str
     mechanism: str
     model: str
     parameters: tuple[str, ...]
+    """What is to be found; in motion base parameters, dry and viscous friction of every joint."""
+    n: tuple[int, ...]
+    readings: tuple[int, ...]
+    condition: tuple[float | None, ...]
+    """Null where it is infinite; in motion of columns of one size, torques by what each joint gives at most."""
+    O1: tuple[float, ...]
+    O2: tuple[float, ...]
+    O3: tuple[float, ...]
+    O4: tuple[float, ...]
+    O5: tuple[float, ...]
+
+
+class Plan(Planned):
+    """Measuring poses and how they were chosen. Figures stand set by set; null stands for what is infinite."""
+
     dropped: tuple[str, ...]
     """Parameters that no poses tell from the others."""
     method: Method
@@ -58,18 +73,10 @@ class Plan(Answer):
     layers: tuple[float, ...]
     start_angle_deg: float
     threshold: float
-    n: tuple[int, ...]
     pose_count: tuple[int, ...]
-    readings: tuple[int, ...]
     rank: tuple[int, ...]
-    condition: tuple[float | None, ...]
     corrected: tuple[float | None, ...]
     change: tuple[float | None, ...]
-    O1: tuple[float, ...]
-    O2: tuple[float, ...]
-    O3: tuple[float, ...]
-    O4: tuple[float, ...]
-    O5: tuple[float, ...]
     chosen: int | None
     settled: int | None
     poses: tuple[PlannedPose, ...]
@@ -147,3 +154,51 @@ class CyclePlan(Answer):
     def document(self) -> Document:
         """Yield how many rows there are."""
         yield Text(self.headline)
+
+
+class JointSeries(Value):
+    """A joint's movement in one run: its speed is the sum of cosine_k cos(2 pi k t / period) and sine_k sin of that."""
+
+    run: int
+    joint: int
+    unit: str
+    """Of the place; the others are speeds, per second."""
+    centre: float
+    """Where it begins and ends."""
+    cosine: tuple[float, ...]
+    sine: tuple[float, ...]
+
+
+class MotionPlan(Planned):
+    """PLAN.json of kind torque: exciting trajectories."""
+
+    kind: Literal["torque"]
+    method: Literal["fourier"]
+    runs: int
+    period_s: float
+    harmonics: int
+    rate_Hz: float
+    log_determinant: float
+    chosen: int
+    series: tuple[JointSeries, ...]
+    notes: tuple[str, ...]
+    """Limits that were assumed."""
+
+    @property
+    def headline(self) -> str:
+        """How many movements, and how well they tell."""
+        last = self.condition[-1]
+        told = "infinite" if last is None else f"{last:.3g}"
+        return f"{self.runs} runs of {self.period_s:g} s for {self.model}: condition number {told}"
+
+    def table(self) -> tuple[JointSeries, ...]:
+        """Return the series."""
+        return self.series
+
+    def document(self) -> Document:
+        """Yield how well the movements tell, run by run."""
+        yield Text(self.headline)
+        each = zip(self.n, self.readings, self.condition, self.O1, self.O3, strict=True)
+        rows = [(str(n), str(readings), *map(number, figures)) for n, readings, *figures in each]
+        yield Table(("runs", "readings", "condition", "O1", "O3"), rows)
+        yield from (Text(note, level=1) for note in self.notes)

@@ -14,9 +14,7 @@ import sys
 from pathlib import Path
 from typing import Any, get_args
 
-from pydantic import AliasChoices
-
-from deltacal_gen.results.base import Value, key_of
+from deltacal_gen.results.base import Value, keys_of
 from deltacal_gen.results.reader import ANSWERS, types_of
 
 FOLDER = Path(__file__).parent / "schemas"
@@ -60,12 +58,11 @@ def kinds_in(top: Any) -> dict[str, type]:
 def _described(part: dict[str, Any], kind: type) -> dict[str, Any]:
     """Return a part of a schema with the words of its type and of its fields, without pydantic's titles."""
     told = {"description": inspect.cleandoc(kind.__doc__ or "")}
-    said = _said(kind)
+    said = {name: words for of in reversed(kind.__mro__) if issubclass(of, Value) for name, words in _said(of).items()}
     keys: dict[str, Any] = {}
-    for name, field in kind.model_fields.items() if issubclass(kind, Value) else ():
-        own = field.validation_alias
-        choices = own.choices if isinstance(own, AliasChoices) else [key_of(name)]
-        keys |= {str(c): _untitled(_present(part["properties"][choices[0]])) | said.get(name, {}) for c in choices}
+    for name in kind.model_fields if issubclass(kind, Value) else ():
+        choices = keys_of(name)
+        keys |= {key: _untitled(_present(part["properties"][choices[0]])) | said.get(name, {}) for key in choices}
     out = told | _untitled(part) | ({"properties": keys} if keys else {})
     if "schema" in keys:
         out["required"] = [name for name in keys if name in ("schema", *out["required"])]

@@ -38,7 +38,7 @@ ANSWERS = {  # what `schema` says, and the type of it: module and class
 }
 IN_MOTION = {  # the same of recordings in motion
     "deltacal.diagnosis/1": ("motion", "MotionDiagnosis"),
-    "deltacal.plan/1": ("trajectories", "MotionPlan"),
+    "deltacal.plan/1": ("plan", "MotionPlan"),
     "deltacal.result/1": ("motion", "MotionResult"),
     "deltacal.validation/1": ("motion", "MotionValidation"),
 }

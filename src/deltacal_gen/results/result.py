@@ -182,24 +182,38 @@ class Firmware(Value):
     """Of that machine, actual minus robot file [mm, deg]."""
 
 
-class Result(Answer, Undiagnosed):
-    """What a recording says of a machine: contract, section 6."""
+class Identified(Answer):
+    """What every recording says of a machine, at rest or in motion: contract, sections 6 and 8."""
 
     schema_: Literal["deltacal.result/1"] = "deltacal.result/1"
     model: str
-    parameters: tuple[Parameter, ...]
-    """All source errors of the mechanism, in the order of its table; then what is unknown of the instrument by name."""
-    rank: int
-    rank_tolerance: float
     singular_values: Numbers
+    """Of the weighted columns; in motion of those of the base parameters, each of size 1."""
     condition: float | None
     """Null where the rank is not full."""
     scaling: str
     unidentifiable: tuple[OpenCombination, ...]
-    base: tuple[BaseParameter, ...] | None = None
-    next_measurements: tuple[Remedy, ...]
+    """Parameters that no reading knows, and combinations that leave every reading as it is."""
     regularisation: Regularisation
     readings: Read
+    sigma_source: Source
+    chi2_per_dof: float | None
+    robot: RobotTables
+    """The calibrated machine."""
+    doubts: tuple[str, ...] | None = None
+    """Why the readings may be of another machine than the robot file's."""
+    made: Made | None = None
+
+
+class Result(Identified, Undiagnosed):
+    """What a recording says of a machine: contract, section 6."""
+
+    parameters: tuple[Parameter, ...]
+    """All source errors of the mechanism, in the order of its table; then what is unknown of the instrument by name."""
+    rank: int
+    rank_tolerance: float
+    base: tuple[BaseParameter, ...] | None = None
+    next_measurements: tuple[Remedy, ...]
     before_rms_mm: float
     """Of the robot file's machine, the instrument fitted."""
     degrees_of_freedom: float | None = None
@@ -208,9 +222,7 @@ class Result(Answer, Undiagnosed):
     heldout_rms_mm: float | None
     """Of readings in folds that took no part in the fit."""
     sigma_mm: float
-    sigma_source: Source
     residual_sigma_mm: float | None = None
-    chi2_per_dof: float | None
     gross_errors: tuple[int, ...] | None
     """Lines of the recording; null where none were searched for."""
     stages: tuple[Stage, ...] | None = None
@@ -225,8 +237,6 @@ class Result(Answer, Undiagnosed):
     continued: Continued | None = None
     """Null where the readings tell no more of the joints' periodic errors than the diagnosis."""
     instrument: InstrumentState
-    robot: RobotTables
-    """The calibrated machine."""
     uncertainty: Uncertainty | None = None
     """Null where an earlier version wrote the file."""
     unit: str | None = None
@@ -238,13 +248,10 @@ class Result(Answer, Undiagnosed):
     """Joints that stand where the readings of the diagnosis never were."""
     motion: SeriesMade | None = None
     """Of a recording in motion."""
-    doubts: tuple[str, ...] | None = None
-    """Why the readings may be of another machine than the robot file's."""
     begun_s: float = 0.0
     """From when effects count the time [s]: 0, or the first reading where stamps count from long before it."""
     residuals: FitResiduals | None = None
     """Null in answers written before they were kept."""
-    made: Made | None = None
 
     @property
     def seen(self) -> None:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
-from typing import Literal
+from typing import ClassVar, Literal
 
-from deltacal_gen.results.base import Answer, Counts, Json, Numbers, Value, shown_in
+from deltacal_gen.results.base import Answer, Counts, Numbers, Value, shown_in
 from deltacal_gen.results.document import Document, Table, Text, number
 from deltacal_gen.results.parts import EffectName, Missing, RobotTables
 from deltacal_gen.results.places import Places
@@ -123,6 +124,7 @@ class Advice(Value):
 class Study(Answer):
     """What a measuring plan will give."""
 
+    lengths: ClassVar[re.Pattern[str]] = re.compile("sigma_mm")  # positions stand in mm alone
     model: str
     schema_: Literal["deltacal.study/1"] = "deltacal.study/1"
     robot: RobotTables
@@ -147,11 +149,6 @@ class Study(Answer):
     suspects: tuple[Suspect, ...]
     channels_wanted: tuple[Missing, ...]
     advice: Advice | None
-
-    def to_dict(self, only: set[str] | None = None) -> Json:
-        """Return the JSON; the noise stands in the unit of the readings too, positions in mm alone."""
-        found = self.model_dump(mode="json", by_alias=True, include=only)
-        return found if self.unit is None else found | {f"sigma_{self.unit}": self.noise}
 
     @property
     def noise(self) -> float:

@@ -120,20 +120,47 @@ class Apart(Value):
     largest_of_others_mm: float
 
 
-class Validation(Answer):
-    """The error of a calibrated or diagnosed model on readings that it has not seen."""
+class Validated(Answer):
+    """What a check of a model says of every recording, at rest or in motion."""
 
     schema_: Literal["deltacal.validation/1"] = "deltacal.validation/1"
     kind: str
     readings: int
-    rms_mm: float
-    worst_mm: float
-    sigma_mm: float
-    """The noise, as the result knows it."""
     chi2_per_dof: float | None
     """Of all readings, each with the part of it that placing the instrument has not taken."""
     degrees_of_freedom: int
     """Scalar readings less the numbers that place set-ups."""
+    outside_law: int | None = None
+    """Rows outside the range in which a law of the diagnosis was found; left out where it has none."""
+    seen: Literal[True] | None = None
+    """The calibration was made of this very file, which is then no check of it; left out of other readings."""
+    repairs: tuple[str, ...] | None = None
+    """What was put right in a recording in motion, or left out of it, with its line."""
+    made: Made | None = None
+
+    @property
+    def told(self) -> tuple[str, ...]:
+        """What is to be known beside the error: of which readings it is, and where the model is not known."""
+        outside = self.outside_law
+        law = [f"{outside} rows lie outside the range in which the law was found"] if outside else []
+        return (*([SEEN] if self.seen else []), *self._beside(), *law)
+
+    def _beside(self) -> tuple[str, ...]:
+        """Return what this kind of readings has to tell beside the error."""
+        return ()
+
+    def document(self) -> Document:
+        """Yield the error against the noise, what is said of it, and what was put right in the recording."""
+        yield from map(Text, (self.headline, *self.told, *put_right(self.repairs or ())))
+
+
+class Validation(Validated):
+    """The error of a calibrated or diagnosed model on readings that it has not seen."""
+
+    rms_mm: float
+    worst_mm: float
+    sigma_mm: float
+    """The noise, as the result knows it."""
     placed: tuple[Placed, ...] | None = None
     """Set-ups that were placed by these readings; errors are then of poses left out in turn."""
     never_seen: tuple[NeverSeen, ...]
@@ -150,15 +177,9 @@ class Validation(Answer):
     """Lines of points that were found wrongly in images, which no figure counts; left out of other readings."""
     apart: Apart | None = None
     """Readings of which the error tells more than of the machine; left out where there are none."""
-    outside_law: int | None = None
-    """Rows outside the range in which a law of the diagnosis was found; left out where it has none."""
-    seen: Literal[True] | None = None
-    """The calibration was made of this very file, which is then no check of it; left out of other readings."""
-    repairs: tuple[str, ...] | None = None
-    """What was put right in a recording in motion, or left out of it, with its line."""
+
     iso9283: Iso9283 | None = None
     iso230: Iso230 | None = None
-    made: Made | None = None
 
     @property
     def headline(self) -> str:
@@ -169,17 +190,13 @@ class Validation(Answer):
             f"{unit} (noise {self.sigma_mm / length:.3g} {unit})"
         )
 
-    @property
-    def told(self) -> tuple[str, ...]:
-        """What is to be known beside the error: of which readings it is, and where the model is not known."""
-        lines, outside = ", ".join(map(str, self.gross_errors or ())), self.outside_law
-        far = [] if self.apart is None else [self._of_apart(self.apart)]
+    def _beside(self) -> tuple[str, ...]:
+        """Return what stands apart, what was placed, and where a joint was not seen."""
+        lines = ", ".join(map(str, self.gross_errors or ()))
         return (
-            *([SEEN] if self.seen else []),
             *([f"points found wrongly in lines {lines}: no figure counts them"] if lines else []),
-            *far,
+            *([] if self.apart is None else [self._of_apart(self.apart)]),
             *(p.sentence for p in self.placed or ()),
-            *([f"{outside} rows lie outside the range in which the law was found"] if outside else []),
             *(joint.words for joint in self.never_seen),
             *(joint.beyond_words for joint in self.beyond_waves or ()),
         )
@@ -199,9 +216,5 @@ class Validation(Answer):
 
     def document(self) -> Document:
         """Yield the error against the noise, what is said of it, and the figures of ISO 9283 and ISO 230-2."""
-        yield from map(Text, (self.headline, *self.told))
-        if self.iso9283 is not None:
-            yield Text(self.iso9283.words)
-        if self.iso230 is not None:
-            yield Text(self.iso230.words)
-        yield from map(Text, put_right(self.repairs or ()))
+        yield from super().document()
+        yield from (Text(norm.words) for norm in (self.iso9283, self.iso230) if norm is not None)

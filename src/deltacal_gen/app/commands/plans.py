@@ -10,8 +10,7 @@ from deltacal_gen.errors import OptionNotApplicable, UnknownModel
 if TYPE_CHECKING:
     from deltacal_gen.app.commands.common import AnyRobot
     from deltacal_gen.machine.values import Robot
-    from deltacal_gen.results.plan import CyclePlan, Plan
-    from deltacal_gen.results.trajectories import MotionPlan
+    from deltacal_gen.results.plan import CyclePlan, MotionPlan, Plan
 
 
 def plan(
