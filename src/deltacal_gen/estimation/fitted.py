@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 
@@ -64,6 +65,15 @@ class Fit:
         problem = self.problem
         out: Array = (self.errors[problem.columns] - problem.reference[problem.columns]) / problem.scale
         return out
+
+    @cached_property
+    def by_displacements(self) -> Array:
+        """Derivatives (R, k, limbs + 3) of the readings by each joint and by a shift along each axis of {O}."""
+        problem = self.problem
+        instrument = self.instrument.mounted(problem.mechanism, self.errors)
+        return instrument.linearise(problem.readings, problem.seen(self.machine), problem.displacements(self.machine))[
+            0
+        ]
 
     @property
     def gross(self) -> np.ndarray:

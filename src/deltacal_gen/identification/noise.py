@@ -86,17 +86,17 @@ def noise(final: Fit, recording: Recording) -> Noise:
     known = _known(final, recording)
     if known.source is Source.RESIDUAL or not _more(final, known):
         return known
-    wider = _with_rounding(known, final, recording)
+    wider = _with_rounding(known, final)
     excess, doubt = _excess(final, wider)
     return wider if wider.rounded and abs(excess) < doubt else known
 
 
-def _with_rounding(known: Noise, final: Fit, recording: Recording) -> Noise:
+def _with_rounding(known: Noise, final: Fit) -> Noise:
     """Return a noise with what rounding comes to; of readings repeats show it, but where steps are coarser than noise.
 
     Repeats that are rounded to the same value show none of it.
     """
-    steps = rounding_of(final, recording)
+    steps = rounding_of(final)
     shown = 0.0 if known.source is Source.DECLARED else known.sigma
     unseen = float(np.sqrt(max(steps.of_readings**2 - shown**2, 0.0)))
     sigma = float(np.hypot(known.sigma, np.hypot(steps.of_joints, unseen)))
@@ -240,7 +240,7 @@ def alike_at_a_pose(final: Fit, recording: Recording) -> bool:
     each = float(np.mean(count))
     if ratio - 1 <= each or fdtrc(free, shown.degrees, ratio) >= CHANCE:
         return False
-    wider = _with_rounding(known, final, recording)
+    wider = _with_rounding(known, final)
     ratio /= 1 + each * (wider.sigma**2 / shown.variance - 1)
     chance = float(fdtrc(free, shown.degrees, ratio))
     return not (wider.rounded and CHANCE < chance < 1 - CHANCE)

@@ -13,6 +13,7 @@ import numpy as np
 
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.residuals import Repeats, lengths
+from deltacal_gen.inference.projection import project_out
 from deltacal_gen.instrument.kind import Readings
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.values import Recording, numbered
@@ -47,6 +48,12 @@ class Shown:
     variance: float
     degrees: int
 
+    @classmethod
+    def of(cls, final: Fit, group: np.ndarray) -> Shown:
+        """Return the spread of what a fit leaves within groups (R,) of its readings, gross errors left out."""
+        r, quiet = _quiet(final)
+        return cls(r, group[quiet], *Repeats.ratio_of(r, group[quiet])[1:])
+
     @property
     def closest(self) -> float:
         """The noise that the closest quarter of repeats speaks for, as if noise were normal [mm]."""
@@ -59,23 +66,23 @@ class Shown:
 def repeats(final: Fit, recording: Recording) -> Shown:
     """Return what repeats show of the noise, gross errors left out."""
     found = final.problem.readings
-    quiet = np.setdiff1d(np.arange(len(found)), final.gross)
-    r = np.nan_to_num(lengths(final.residual, found.kind))[quiet]
     channels, same = _channels(found, recording), of_one_point(found)
-    group = _levelled(same, {n: v for n, v in channels.items() if not of_column(n).passes})[quiet]
-    alike = Shown(r, group, *Repeats.ratio_of(r, group)[1:])
-    if alike.degrees >= ENOUGH or not channels:
+    levels = [_levels(v) for n, v in channels.items() if not of_column(n).passes]
+    alike = Shown.of(final, numbered(np.column_stack([same, *levels])))
+    if alike.degrees >= ENOUGH or not channels or not all(np.isfinite(v).all() for v in channels.values()):
         return alike
-    known = all(np.isfinite(v).all() for v in channels.values())
-    return (_smoothed(final, quiet, same[quiet], r, channels) if known else None) or alike
+    return _smoothed(final, same, channels) or alike
 
 
 def within_poses(final: Fit) -> Shown:
     """Return the spread within poses whatever the channels were: noise is no more than that."""
-    found = final.problem.readings
-    quiet = np.setdiff1d(np.arange(len(found)), final.gross)
-    r, group = np.nan_to_num(lengths(final.residual, found.kind))[quiet], of_one_point(found)[quiet]
-    return Shown(r, group, *Repeats.ratio_of(r, group)[1:])
+    return Shown.of(final, of_one_point(final.problem.readings))
+
+
+def _quiet(final: Fit) -> tuple[Array, np.ndarray]:
+    """Return what a fit leaves (Q, k) [mm], gross errors left out, and of which readings (Q,)."""
+    quiet = np.setdiff1d(np.arange(len(final.residual)), final.gross)
+    return np.nan_to_num(lengths(final.residual, final.problem.readings.kind))[quiet], quiet
 
 
 def of_one_point(found: Readings) -> np.ndarray:
@@ -85,45 +92,38 @@ def of_one_point(found: Readings) -> np.ndarray:
     return numbered(np.column_stack([found.group, found.known]))
 
 
-def _smoothed(final: Fit, quiet: np.ndarray, same: np.ndarray, r: Array, channels: Mapping[str, Array]) -> Shown | None:
+def _smoothed(final: Fit, same: np.ndarray, channels: Mapping[str, Array]) -> Shown | None:
     """Return the spread within poses beside what varies smoothly with channels; None where too little is left."""
-    problem = final.problem
-    found = problem.readings
-    group = np.unique(same, return_inverse=True)[1]
+    r, quiet = _quiet(final)
+    group = numbered(same[quiet, None])
     several = (np.bincount(group)[group] > 1).nonzero()[0]
     degrees = (len(several) - len(np.unique(group[several]))) * r.shape[1]
     if degrees < ENOUGH:
         return None
-    J, _ = final.instrument.linearise(found, problem.seen(final.machine), problem.displacements(final.machine))
-    read = ~np.isin(np.arange(J.shape[1]), found.kind.turned) & np.isfinite(final.residual).any(axis=0)
-    J, y = np.nan_to_num(J[quiet][:, read]), _apart(r, group)[several].ravel()
+    J = final.by_displacements
+    read = ~np.isin(np.arange(J.shape[1]), final.problem.readings.kind.turned) & np.isfinite(final.residual).any(axis=0)
+    J, y = np.nan_to_num(J[quiet][:, read]), about_means(r, group)[several].ravel()
+    scaled = [np.interp(v[quiet], (v[quiet].min(), v[quiet].max()), (-1.0, 1.0)) for v in channels.values()]
     for most in POWERS:
-        F = np.column_stack([_scaled(v[quiet]) ** k for v in channels.values() for k in range(1, most + 1)])
+        F = np.column_stack([v**k for v in scaled for k in range(1, most + 1)])
         moved = (J[..., None] * F[:, None, None]).reshape(len(r), -1)
-        A = _apart(moved, group)[several].reshape(len(y), -1)
-        U, size, _ = np.linalg.svd(A, full_matrices=False)
-        U = U[:, size > UNSEEN * size.max(initial=0.0)]
-        spare = degrees - U.shape[1]
+        U, size, _ = np.linalg.svd(about_means(moved, group)[several].reshape(len(y), -1), full_matrices=False)
+        Q = U[:, size > UNSEEN * size.max(initial=0.0)]
+        spare = degrees - Q.shape[1]
         if spare >= max(ENOUGH, (1 - MOST_TAKEN) * degrees):
-            left = y - U @ (U.T @ y)
+            left = project_out(y, Q)
             rows = left.reshape(len(several), -1) * np.sqrt(degrees / spare)
             return Shown(rows, group[several], float(left @ left) / spare, spare)
     return None
 
 
-def _apart(values: Array, group: np.ndarray) -> Array:
+def about_means(values: Array, group: np.ndarray) -> Array:
     """Return values (R, n) less the mean of their group."""
-    sums = np.zeros((int(group.max()) + 1, values.shape[1]))
-    np.add.at(sums, group, values)
-    apart: Array = values - (sums / np.bincount(group)[:, None])[group]
+    own = np.unique(group, return_inverse=True)[1]
+    sums = np.zeros((int(own.max()) + 1, values.shape[1]))
+    np.add.at(sums, own, values)
+    apart: Array = values - (sums / np.bincount(own)[:, None])[own]
     return apart
-
-
-def _scaled(values: Array) -> Array:
-    """Return values (R,) from -1 to 1."""
-    low, high = np.min(values), np.max(values)
-    scaled: Array = (2 * values - low - high) / max(high - low, 1e-300)
-    return scaled
 
 
 def _channels(found: Readings, recording: Recording) -> dict[str, Array]:
@@ -132,13 +132,6 @@ def _channels(found: Readings, recording: Recording) -> dict[str, Array]:
         return {}
     every = {n: v[found.rows[:, 0]] for n, v in sorted(with_motion(recording).told.items())}
     return {n: v for n, v in every.items() if (v != v[0]).any()}
-
-
-def _levelled(group: np.ndarray, channels: Mapping[str, Array]) -> np.ndarray:
-    """Return groups (R,) of readings of one pose in which channels are alike."""
-    if not channels:
-        return group
-    return numbered(np.column_stack([group, *map(_levels, channels.values())]))
 
 
 def _levels(values: Array) -> Array:

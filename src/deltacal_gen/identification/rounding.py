@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
 from deltacal_gen.estimation.fitted import Fit
+from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.machine.registry import Array
-from deltacal_gen.machine.values import Recording
 from deltacal_gen.units import joint_factors
 
 LOOKED_AT = 300  # values of a column: a step that they share all have
@@ -21,73 +21,59 @@ FEWEST = 4  # distinct values, without which every step fits
 ENCODERS = tuple(360.0 / 2**bits for bits in range(6, 26))  # deg: what encoders of one turn resolve
 
 
-@dataclass(frozen=True)
-class Rounding:
-    """Steps in which a recording was written, and the standard deviation per measured scalar that they come to [mm].
+class Rounding(NamedTuple):
+    """What the steps in which a recording was written add to the noise of a measured scalar.
 
     Attributes
     ----------
-    joint : float
-        Largest step of a joint, in the recording's unit of joints (deg or mm).
-    reading : float
-        Largest step of a reading [mm].
     of_joints, of_readings : float
-        What they add to the noise of a measured scalar, root mean square [mm].
+        Standard deviation, root mean square over the readings [mm].
+    text : str
+        What was rounded, in words; empty where nothing was.
     """
 
-    joint: float
-    reading: float
-    of_joints: float
-    of_readings: float
-    unit: str = "deg"
-
-    @property
-    def text(self) -> str:
-        """What was rounded, in words; empty where nothing was."""
-        steps = (
-            (self.joint, self.of_joints, f"joints in steps of {self.joint:.3g} {self.unit}"),
-            (self.reading, self.of_readings, f"readings in steps of {self.reading:.3g} mm"),
-        )
-        most = max(self.of_joints, self.of_readings)
-        told = [words for step, of, words in steps if step and of > TOLD * most]
-        return f"rounding of {' and '.join(told)} is in it" if told else ""
+    of_joints: float = 0.0
+    of_readings: float = 0.0
+    text: str = ""
 
 
-def rounding_of(at: Fit, recording: Recording) -> Rounding:
+def rounding_of(at: Fit) -> Rounding:
     """Return how coarsely a recording was written, and what that comes to where a fit's machine stands.
 
     Rounded values lie evenly within a step: its square over twelve is their variance. Whether the values were rounded,
     or commanded so, only what a fit leaves can tell.
     """
-    problem = at.problem
-    found, kind = problem.readings, problem.readings.kind
-    if not kind.positions or kind.sees_joints:
-        return Rounding(0.0, 0.0, 0.0, 0.0)
-    rows = found.used
-    own, unit = _joint_steps(recording, rows, problem.body.q.shape[1])
-    read = [step_of(column) for column in found.values.T]
-    moved = problem.sensitivity(at.machine, rows).joints[:, :3] * own
-    of_joints = float(np.sqrt(np.mean((moved**2).sum(axis=2)) / 12))
-    of_readings = float(np.sqrt(np.mean(np.square(read)) / 12))
-    factors = np.asarray(joint_factors(recording.joint_unit, len(own)))
-    return Rounding(float((own / factors).max()), float(max(read)), of_joints, of_readings, unit)
+    problem, found = at.problem, at.problem.readings
+    if not found.kind.positions or found.kind.sees_joints:
+        return Rounding()
+    factors = _factors(problem)
+    read, joints = np.array([step_of(column) for column in found.values.T]), _joint_steps(problem) / factors
+    of_joints = float(np.sqrt(np.mean((moved_by_steps(at)[:, :3] ** 2).sum(axis=2)) / 12))
+    of_readings = float(np.sqrt(np.mean(read**2) / 12))
+    unit = "mm" if (factors == 1).all() else "deg"
+    least = TOLD * max(of_joints, of_readings)
+    steps = ((of_joints, f"joints in steps of {joints.max():.3g} {unit}"),)
+    steps += ((of_readings, f"readings in steps of {read.max():.3g} mm"),)
+    told = [words for of, words in steps if of > least]
+    return Rounding(of_joints, of_readings, f"rounding of {' and '.join(told)} is in it" if told else "")
 
 
 def moved_by_steps(at: Fit) -> Array:
     """Return how far readings (R, k, n_q) [mm, rad] move by the steps in which joints were written."""
-    problem, found = at.problem, at.problem.readings
-    own, _ = _joint_steps(problem.recording, found.used, problem.body.q.shape[1])
-    instrument = at.instrument.mounted(problem.mechanism, at.errors)
-    joints = problem.displacements(at.machine)[:, :, : len(own)] * own
-    return instrument.linearise(found, problem.seen(at.machine), joints)[0]
+    steps = _joint_steps(at.problem)
+    moved: Array = at.by_displacements[:, :, : len(steps)] * steps
+    return moved
 
 
-def _joint_steps(recording: Recording, rows: np.ndarray, count: int) -> tuple[Array, str]:
-    """Return the steps (n_q,) in which joints were written [rad, mm], and the unit in which they were."""
-    factors = np.asarray(joint_factors(recording.joint_unit, count))
-    columns = zip((recording.joints[rows] / factors).T, factors, strict=True)
-    steps = [step_of(column, ENCODERS if factor != 1 else ()) for column, factor in columns]
-    return np.array(steps) * factors, "mm" if (factors == 1).all() else "deg"
+def _factors(problem: Problem) -> Array:
+    return np.asarray(joint_factors(problem.recording.joint_unit, problem.body.q.shape[1]))
+
+
+def _joint_steps(problem: Problem) -> Array:
+    """Return the steps (n_q,) in which joints were written [rad, mm]."""
+    factors = _factors(problem)
+    columns = zip((problem.recording.joints[problem.readings.used] / factors).T, factors, strict=True)
+    return np.array([step_of(column, ENCODERS if factor != 1 else ()) for column, factor in columns]) * factors
 
 
 def step_of(values: Array, usual: Sequence[float] = ()) -> float:
