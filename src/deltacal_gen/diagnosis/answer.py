@@ -24,11 +24,11 @@ from deltacal_gen.diagnosis.spectrum import Spectrum
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.files.robot import kept_robot
-from deltacal_gen.identification.checks import gross_lines
 from deltacal_gen.identification.knowledge import uncertainty_of
 from deltacal_gen.identification.noise import Noise, coordinate_sigma, noise_model
 from deltacal_gen.identification.orders import wave
-from deltacal_gen.identification.unknowns import unknowns_of
+from deltacal_gen.identification.outliers import gross_lines
+from deltacal_gen.identification.unknowns import Unknowns
 from deltacal_gen.instrument.kind import Instrument
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.physics.terms import (
@@ -98,7 +98,7 @@ class Diagnosed:
         """Return the same as users read it, DIAGNOSIS.json: figures in mm, curves and wording among them."""
         final, sigma, recording = self.final, self.noise.sigma, self.final.problem.recording
         before, after = (heldout if np.isfinite(heldout) else None for heldout in self.heldout)
-        unit, unknowns = final.instrument.unit(recording.columns), unknowns_of(final)
+        unit, unknowns = final.instrument.unit(recording.columns), Unknowns(final)
         clock: Literal["time_s", "row"] = "row" if final.problem.body.channels.get("time") is None else "time_s"
         spectrum = [] if self.spectrum is None else [(_periodic(self, self.spectrum), self.spectrum.terms)]
         effects = [

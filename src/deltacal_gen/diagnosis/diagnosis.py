@@ -53,7 +53,7 @@ from deltacal_gen.diagnosis.strategy import (
 from deltacal_gen.diagnosis.structure import Structure, structures
 from deltacal_gen.diagnosis.wandering import following_walks
 from deltacal_gen.errors import NoConvergence
-from deltacal_gen.estimation.fit import CONVERGED, fit, held_out_errors, rough
+from deltacal_gen.estimation.fit import CONVERGED, fit, held_out_errors
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.prior import with_prior
 from deltacal_gen.estimation.problem import Problem, pose_problem
@@ -62,11 +62,12 @@ from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.files.checks import check_units, set_aside
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.identification import checks
-from deltacal_gen.identification.drawing import ANOTHERS, as_read, doubts, strained
+from deltacal_gen.identification.drawing import as_read, doubts, strained
 from deltacal_gen.identification.folds import folds
+from deltacal_gen.identification.mistakes import EXPLAINED
 from deltacal_gen.identification.noise import lack_of_fit, merely_more, stated
 from deltacal_gen.identification.orders import wave
-from deltacal_gen.identification.overflow import without_overflow
+from deltacal_gen.identification.outliers import begun, check_rows, without_knocked, without_overflow
 from deltacal_gen.identification.prior import learned
 from deltacal_gen.identification.together import as_predicts, better_alone, deviance_of, together, without_following
 from deltacal_gen.machine.backend import by_recording
@@ -174,13 +175,12 @@ def _geometry(robot: Robot, recording: Recording, model: str | None) -> tuple[Pr
     mechanism, everything = mechanism_of(robot), pose_problem(robot, recording, ())
     own = _lean(everything) if model is None else None
     if everything.readings.kind.sees_joints:
-        model = checks.chosen_model(mechanism, everything, recording, model)
+        model = checks.chosen_model(everything, model)
     model = own or model or mechanism.full_model
     problem, _ = with_prior(everything.with_names(mechanism.model(model)), robot, MACHINED)
-    checks.distinct(problem, recording)
+    checks.distinct(problem)
     if own is None:
-        checks.enough(mechanism, problem, recording)
-        checks.enough_poses(problem, model)
+        checks.check_count(problem, model, checks.once(problem))
     return problem, model, own is not None
 
 
@@ -244,7 +244,7 @@ def _begun(robot: Robot, recording: Recording, model: str | None, progress: Prog
         return _searched(drawn, progress), ()
     other = _searched(drawn_beside(_calibrated(robot, wanted), recording, model), progress)
     explained = not (other.white.search.effects or other.white.unexplained)
-    if explained or other.first.sigma[0] < ANOTHERS * drawn.first.sigma[0]:
+    if explained or other.first.sigma[0] < EXPLAINED * drawn.first.sigma[0]:
         return other, doubt
     begun = _searched(drawn, progress)
     kept, instead = begun.white.search.fit, other.white.search.fit
@@ -261,13 +261,13 @@ def drawn_beside(robot: Robot, recording: Recording, model: str | None) -> Drawn
     """
     problem, name, lean = _geometry(robot, recording, model)
     some = problem.some(MOST_POSES, np.random.default_rng(SEED))
-    first = _first(some, recording)
+    first = _first(some)
     if first.problem is not some:  # which had few poses: all of them
         problem = some = first.problem
-    for without in (without_overflow, checks.without_knocked, without_following):
+    for without in (without_overflow, without_knocked, without_following):
         if (rest := without(problem, first)) is not None:
             problem, some = rest, rest.some(MOST_POSES, np.random.default_rng(SEED))
-            first = _first(some, recording)
+            first = _first(some)
     return Drawn(robot, problem, name, lean, some, first)
 
 
@@ -278,17 +278,14 @@ def _searched(of: Drawn, progress: Progress) -> _Begun:
     return _Begun(*of, terms, not_tested, searched(of.some, of.first, terms, of.lean, progress))
 
 
-def _first(some: Problem, recording: Recording) -> Fit:
+def _first(some: Problem) -> Fit:
     """Return the fit of geometry and instrument, no reading dropped: what is left out may look like gross errors.
 
     One of few poses that is of none of the others is, with its problem.
     """
-    start = rough(some, must_converge=False)
-    if (others := checks.all_but_one(start)) is not None:
-        some = some.subset(others)
-        start = rough(some, must_converge=False)
+    some, start = begun(some)
     checks.plausible(start)
-    checks.check_rows(start, recording)
+    check_rows(start)
     return fit(some, Prior(), errors=start.errors, instrument=start.instrument, drop_gross=False, must_converge=False)
 
 
@@ -455,7 +452,7 @@ def _lean(problem: Problem) -> str | None:
     """
     if not problem.readings.kind.probed:
         return None
-    chosen = checks.chosen_model(problem.mechanism, problem, problem.recording, None)
+    chosen = checks.chosen_model(problem, None)
     return None if chosen == problem.mechanism.full_model else chosen
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable, Sequence
+from typing import Any
 
 import numpy as np
 
@@ -15,7 +16,8 @@ from deltacal_gen.estimation.fit import fit
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.prior import with_prior
 from deltacal_gen.estimation.problem import Problem, pose_problem
-from deltacal_gen.estimation.solvers import Prior
+from deltacal_gen.estimation.solvers import Factored, Prior
+from deltacal_gen.estimation.system import system
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.identification.checks import chosen_model
 from deltacal_gen.machine.registry import Array, mechanism_of
@@ -60,26 +62,18 @@ def aligned(
         The clocks cannot be set by these readings; the message says why.
     """
     progress("where the clocks stand")
-    clock = start
-    if clock is None:
-        clock = alignment.first(given, lambda runs: [_made(robot, given, runs)], BAR)
-    mechanism, fitted = mechanism_of(robot), None
+    clock = start or alignment.first(given, lambda runs: [_made(robot, given, runs)], BAR)
+    mechanism = mechanism_of(robot)
+    last: Fit | None = None
 
     def step(clock: Clock) -> tuple[Array, Array]:
-        nonlocal fitted
-        recording = _some(given.at(clock))
-        everything = pose_problem(robot, recording, (), held=held)
-        names = mechanism.model(chosen_model(mechanism, everything, recording, model))
-        problem, _given = with_prior(everything.with_names(names), robot)
-        same = fitted is not None and fitted.problem.names == problem.names
-        fitted = fit(
-            problem,
-            Prior(),
-            errors=fitted.errors if fitted is not None and same else None,
-            instrument=fitted.instrument if fitted is not None and same else None,
-            weigh_repeats=False,
-        )
-        return _step(given, len(clock.offsets), fitted)
+        nonlocal last
+        everything = pose_problem(robot, _some(given.at(clock)), (), held=held)
+        own = everything.with_names(mechanism.model(chosen_model(everything, model)))
+        near = last if last is not None and last.problem.names == own.names else None
+        begun: dict[str, Any] = {} if near is None else {"errors": near.errors, "instrument": near.instrument}
+        last = fit(with_prior(own, robot)[0], Prior(), weigh_repeats=False, **begun)
+        return _step(given, len(clock.offsets), last)
 
     return alignment.settled(given, clock, step, beside="geometry or frame")
 
@@ -105,35 +99,22 @@ def _step(given: TwoClocks, count: int, found: Fit) -> tuple[Array, Array]:
     by_clock = by_time[:, :, None] * runs[:, None, :]
     if given.rated:
         by_clock = np.concatenate([by_clock, (by_time * time[:, None])[:, :, None]], axis=2)
-    J = np.concatenate([linear.J_p * problem.scale, linear.J_m, by_clock], axis=2)
-    weight = np.sqrt(found.weights)[:, None] / found.sigma
-    read = np.isfinite(linear.residual)
-    A, r = (J * weight[:, :, None])[read], (linear.residual * weight)[read]
-    n, size = len(problem.scale), np.linalg.norm(A, axis=0)
-    size[size == 0] = 1.0
-    prior = np.zeros((n, A.shape[1]))
-    prior[np.arange(n), np.arange(n)] = 1.0
-    departed = (found.errors - problem.reference)[problem.columns] / problem.scale
-    whole = np.vstack([A, prior]) / size
-    solution = np.linalg.lstsq(whole, np.concatenate([r, -departed]), rcond=1e-12)[0] / size
-    covariance = np.linalg.pinv(whole.T @ whole, rcond=1e-13, hermitian=True) / np.outer(size, size)
-    std = np.sqrt(np.maximum(np.diag(covariance), 0.0)) * np.sqrt(_together(found, run, time))
-    at = n + linear.J_m.shape[2]
-    return solution[at:], std[at:]
+    by_all = linear._replace(J_m=np.concatenate([linear.J_m, by_clock], axis=2))
+    rows = system(by_all, found.sigma, found.weights, found.repeats, problem.scale)
+    known = Factored(rows.rows[:, :-1], np.repeat([0.0, 1.0], [rows.n_m, len(problem.scale)]))
+    step = known.step(rows.b, np.concatenate([np.zeros(rows.n_m), found.departure]))
+    std = np.sqrt(np.diag(known.covariance) * _together(found, run, time))
+    clocks = slice(linear.J_m.shape[2], rows.n_m)
+    return step[clocks], std[clocks]
 
 
 def _by_time(problem: Problem, found: Fit) -> Array:
     """Return the derivatives (R, k) of readings by the joints' time."""
-    used, x = problem.readings.used, problem.seen(found.machine)
-    sensitivity = problem.sensitivity(found.machine, used)
     recording, count = problem.recording, problem.recording.joints.shape[1]
     names = joint_names(recording.joint_unit, count, SPEEDS)
     speeds = np.column_stack([recording.channels[n] for n in names]) * joint_factors(recording.joint_unit, count)
-    turned = problem.robot.joint_sign * speeds
-    dx = np.zeros((len(x), sensitivity.joints.shape[1], 1))
-    dx[used, :, 0] = np.einsum("nxj,nj->nx", sensitivity.joints, turned[used])
-    mounted = found.instrument.mounted(problem.mechanism, found.errors)
-    return np.asarray(mounted.linearise(problem.readings, x, dx)[0][:, :, 0])
+    turned = (problem.robot.joint_sign * speeds)[problem.readings.rows[:, 0]]
+    return np.einsum("rkj,rj->rk", found.by_displacements[:, :, :count], turned)
 
 
 def _together(found: Fit, run: np.ndarray, time: Array) -> float:
@@ -150,17 +131,13 @@ def _together(found: Fit, run: np.ndarray, time: Array) -> float:
 def _made(robot: Robot, given: TwoClocks, runs: Sequence[int]) -> Made:
     """Return the readings, and functions of the nominal pose in some runs."""
     found = []
-    for r, movement in given.movements:
-        if r not in runs:
-            continue
+    for r, movement in ((r, movement) for r, movement in given.movements if r in runs):
         times = np.arange(movement.start, movement.end, GRID / 2)
         rows = np.zeros(len(times), dtype=int)
-        along = dataclasses.replace(
-            given, recording=given.recording.subset(rows), time=times, run=np.full(len(times), r)
-        )
+        along = dataclasses.replace(given, recording=given.recording.subset(rows), time=times, run=rows + r)
         problem = pose_problem(robot, along.at(Clock(np.zeros(len(given.run_names)))), ())
-        machine, _ = problem.body.solve(*problem.split(problem.reference))
-        x = problem.seen(machine)[:, :3] if not problem.readings.kind.sees_joints else problem.seen(machine)
+        seen = problem.seen(problem.body.solve(*problem.split(problem.reference))[0])
+        x = seen if problem.readings.kind.sees_joints else seen[:, :3]
         there = np.isfinite(x).all(axis=1)
         if there.sum() > 2:
             found.append((r, times[there], x[there]))

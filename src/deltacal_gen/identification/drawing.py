@@ -15,20 +15,17 @@ from deltacal_gen.estimation.residuals import lengths, rms
 from deltacal_gen.estimation.solvers import LeastSquares, Prior
 from deltacal_gen.files.robot import robot_size
 from deltacal_gen.identification.folds import folds
+from deltacal_gen.identification.mistakes import AS_NEAR, EXPLAINED, NEARER
 from deltacal_gen.identification.noise import coordinate_sigma, noise
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.results.parts import Source
 from deltacal_gen.units import file_unit, to_internal
 
 ANOTHER = 1e-9  # chance that a machine which is as it is known is so far off
-ANOTHERS = 0.1  # of what the drawn machine leaves: one that leaves less is the machine that was read
 FARTHEST = 3  # parameters that are told of it
-NEARLY = 2.0  # times that: what is fitted to the end
 PROMISED = 0.1  # of the squares that are left: a step on the way to another machine promises more
 WIDER = (10.0, 100.0)  # times what drawings leave open: where another machine is looked for
 ABOVE_NOISE, ABOVE_SIZE = 10.0, 1e-3  # of the noise, or of the machine where noise is not known: what asks for it
-SPARE = 2.0  # scalars to a parameter: fewer any machine explains, and those held out decide
-FORETOLD = 0.5  # of the error of those: what another machine may leave
 
 
 def as_read(at: Fit, *, robust: bool = True) -> Fit | None:
@@ -36,21 +33,13 @@ def as_read(at: Fit, *, robust: bool = True) -> Fit | None:
 
     A rod that is a decimetre longer than drawn is so incredible that a fit whose noise is open believes in noise of
     centimetres instead. Readings whose noise is known, if roughly, or that leave what no stiff machine does, are
-    asked whether another machine gives them: the first steps tell, and only what they come near is fitted whole.
+    asked whether another machine gives them: the first steps tell, and only what they come near is fitted whole. Like a
+    mistake, it has to explain nearly all; and to foretell readings held out, as few readings any machine explains.
     """
-    problem, count = at.problem, len(at.problem.names)
-    if problem.readings.kind.sees_joints or not count:
+    problem, count, kind = at.problem, len(at.problem.names), at.problem.readings.kind
+    if kind.sees_joints or not count or coordinate_sigma(at) < _suspicious(at):
         return None
-    known, kind = noise(at, problem.recording), problem.readings.kind
-    if known.source is not Source.RESIDUAL:
-        most = ABOVE_NOISE * known.sigma
-    elif kind.probed:
-        most = ABOVE_NOISE * (kind.usual_noises or (kind.usual_noise,))[0]  # of heights, distances stand beside them
-    else:
-        most = ABOVE_SIZE * robot_size(problem.robot)
-    if coordinate_sigma(at) < most:
-        return None
-    few = problem.readings.n_scalars < SPARE * count
+    parts = folds(problem.readings, problem.recording)
     drawn, said = with_prior(problem.with_names(problem.names), problem.robot)
     how: dict[str, Any] = {"robust": robust, "must_converge": False}
     worth = PROMISED * problem.readings.n_scalars
@@ -60,19 +49,27 @@ def as_read(at: Fit, *, robust: bool = True) -> Fit | None:
         wide = dataclasses.replace(problem, scale=scale)
         try:
             other = fit(wide, Prior(), errors=at.errors, instrument=at.instrument, tolerance=worth, across=True, **how)
-            if other.rms() < NEARLY * ANOTHERS * at.rms():
+            if other.rms() < AS_NEAR * EXPLAINED * at.rms():
                 other = fit(wide, Prior(), errors=other.errors, instrument=other.instrument, **how)
         except NoSolutionError:
             continue
-        if other.rms() < ANOTHERS * at.rms() and not (few and not _foretells(other, at)):
+        explains = other.rms() < EXPLAINED * at.rms()
+        if explains and held_out(other, Prior(), parts) < NEARER * held_out(at, Prior(), parts):
             return other
     return None
 
 
-def _foretells(other: Fit, at: Fit) -> bool:
-    """Tell whether another machine foretells readings held out, where these are so few that it explains any of them."""
-    parts = folds(at.problem.readings, at.problem.recording)
-    return held_out(other, Prior(), parts) < FORETOLD * held_out(at, Prior(), parts)
+def _suspicious(at: Fit) -> float:
+    """Return what a fit may leave [mm] of a machine that is as drawn: far more than noise, where that is known.
+
+    Of heights, whose noise is known roughly, the usual one counts: distances stand beside them.
+    """
+    known, kind = noise(at, at.problem.recording), at.problem.readings.kind
+    if known.source is not Source.RESIDUAL:
+        return ABOVE_NOISE * known.sigma
+    if kind.probed:
+        return ABOVE_NOISE * (kind.usual_noises or (kind.usual_noise,))[0]
+    return ABOVE_SIZE * robot_size(at.problem.robot)
 
 
 def in_file(at: Fit) -> Array:

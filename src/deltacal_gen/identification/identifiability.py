@@ -7,20 +7,26 @@ the scaling, so every one is given with its convention.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import dataclasses
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from deltacal_gen.errors import UnknownName
+from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.inference.projection import basis, project_out
 from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.units import file_unit, to_internal
 
+SHARE = 1e-6  # of the largest share, or of a column: less is rounding
 TOLD, MOST_TOLD = 1e-3, 8  # of the largest share: what is told by name, and how many at most
 RANK_TOLERANCE = 1e-9
+NOT_AT_ALL = "moves no reading at all", "change no reading"  # one parameter, several
+WEAKLY = "moves the readings by less than their noise", "change the readings by less than their noise"
+RESOLVED = 0.5  # of a variance, a direction's or a parameter's, that readings explain: else the prior knows it better
 CONVENTIONS = ("file", "paper", "table", "typical")
 
 
@@ -70,17 +76,64 @@ class Observability:
 
 @dataclass(frozen=True)
 class Combination:
-    """A combination of parameters that no reading sees: moving along it changes nothing that was measured.
+    """A combination of parameters along which readings change by nothing, or by less than their noise.
 
     Attributes
     ----------
     terms : dict
         Parameter to its share [mm, rad], the largest share in ordinary errors being 1.
-    text : str
+    shares : str
+        The same in words, moved together where they are several.
+    effect : str
+        What that does.
     """
 
     terms: dict[str, float]
-    text: str
+    shares: str
+    effect: str
+
+    @property
+    def text(self) -> str:
+        """The combination and what it does, in words."""
+        return f"{self.shares} {self.effect}"
+
+
+@dataclass(frozen=True)
+class Seen:
+    """What readings pin down of a model.
+
+    Attributes
+    ----------
+    observability : Observability
+        Of the identification matrix at the robot file's machine, columns in ordinary errors.
+    unseen, weak : list of Combination
+        What no reading sees, and what the readings see less well than a broad prior.
+    absorbed : int
+        How many directions of `unseen` would move readings if the instrument's place were known.
+    base : dict
+        What the readings determine, parameter by parameter with those that act through it; see `base`.
+    """
+
+    observability: Observability
+    unseen: list[Combination]
+    weak: list[Combination]
+    absorbed: int
+    base: dict[str, dict[str, float]]
+
+
+def seen(final: Fit, own: Problem) -> Seen:
+    """Return what the readings of a fit pin down of its parameters; `own` is its problem in ordinary errors."""
+    mechanism, matrix, names = own.mechanism, identification_matrix(own, "typical"), own.names
+    units, typical = [mechanism.parameters[j].unit for j in own.columns], mechanism.typical[own.columns]
+    per_unit = matrix.H / typical
+    found = unseen(per_unit, names, units, typical)
+    found, absorbed = _beside(found, matrix, typical, own.readings.kind.whereabouts)
+    solution = final.solution
+    order = np.argsort(solution.singular_values)[len(found) :]
+    rows = [solution.V[:, j] for j in order if solution.factors[j] < RESOLVED]
+    weak = combinations(np.array(rows), names, units, final.problem.scale, WEAKLY) if rows else []
+    observed = observability(matrix.H, len(np.unique(own.readings.group)))
+    return Seen(observed, found, weak, absorbed, base(per_unit, names, typical) if found else {})
 
 
 def identification_matrix(problem: Problem, convention: str = "file") -> IdentificationMatrix:
@@ -138,21 +191,19 @@ def observability(H: Array, poses: int) -> Observability:
 
     The condition number is of the largest to the smallest singular value; infinite where the rank is short.
     """
-    s = np.asarray(np.linalg.svd(H, compute_uv=False) if H.size else np.zeros(0))
-    n = H.shape[1]
-    if not n:
-        return Observability(0, 0, float("inf"), s, dict.fromkeys(("O1", "O2", "O3", "O4", "O5"), 0.0))
-    rank = int((s > RANK_TOLERANCE * s[0]).sum()) if len(s) and s[0] > 0 else 0
-    full = rank == n
-    kept = s[:rank]
-    indices = {
-        "O1": float(np.exp(np.mean(np.log(s[:n]))) / np.sqrt(poses)) if full else 0.0,
-        "O2": float(s[n - 1] / s[0]) if full else 0.0,
-        "O3": float(s[n - 1]) if full else 0.0,
-        "O4": float(s[n - 1] ** 2 / s[0]) if full else 0.0,
-        "O5": float(1 / np.sum(1 / s[:n])) if full else 0.0,
-    }
-    return Observability(rank, n, float(kept[0] / kept[-1]) if full else float("inf"), s, indices)
+    n, s = H.shape[1], np.asarray(np.linalg.svd(H, compute_uv=False) if H.size else np.zeros(0))
+    rank, indices = _rank(s), dict.fromkeys(("O1", "O2", "O3", "O4", "O5"), 0.0)
+    if not 0 < n == rank:
+        return Observability(rank, n, float("inf"), s, indices)
+    least = s[-1]
+    figures = (np.exp(np.mean(np.log(s))) / np.sqrt(poses), least / s[0], least, least**2 / s[0], 1 / np.sum(1 / s))
+    indices = dict(zip(indices, map(float, figures), strict=True))
+    return Observability(rank, n, float(s[0] / least), s, indices)
+
+
+def _rank(sizes: Array) -> int:
+    """Return how many of singular values, or of a pivoted triangle's diagonal, the largest first, are not zero."""
+    return int((sizes > RANK_TOLERANCE * sizes.max(initial=0.0)).sum())
 
 
 def unseen(H: Array, names: Sequence[str], units: Sequence[str], typical: Array) -> list[Combination]:
@@ -171,78 +222,65 @@ def unseen(H: Array, names: Sequence[str], units: Sequence[str], typical: Array)
     if len(scaled) > scaled.shape[1]:
         scaled = np.asarray(np.linalg.qr(scaled, mode="r"))  # the same rows, seen from the columns
     _, s, Vt = np.linalg.svd(scaled, full_matrices=True)
-    rank = int((s > RANK_TOLERANCE * s[0]).sum()) if len(s) and s[0] > 0 else 0
-    return combinations(Vt[rank:], names, units, typical)
+    return combinations(Vt[_rank(s) :], names, units, typical)
 
 
-def beside(
+def _beside(
     found: Sequence[Combination], matrix: IdentificationMatrix, per: Array, standing: str
 ) -> tuple[list[Combination], int]:
     """Return combinations beside what stands open in the instrument, and how many directions of them move readings.
 
-    Those that do are told with what takes that up.
-
-    Parameters
-    ----------
-    found : sequence of Combination
-        Of the parameters of `matrix`.
-    per : (n,) array
-        What its columns are per [mm, rad].
-    standing : str
-        What is unknown of the instrument, in words.
+    Those that do are told with `standing`, which takes that up. Columns of the matrix are `per` (n,) [mm, rad].
     """
     if not found:
         return [], 0
     share = np.array([[c.terms.get(name, 0.0) for name in matrix.names] for c in found]) / per
     moved = matrix.moved @ share.T
     least = RANK_TOLERANCE * float(np.linalg.norm(matrix.moved, axis=0).max(initial=0.0))
-    each = []
-    for one, far in zip(found, np.linalg.norm(moved, axis=0), strict=True):
-        text = one.text.replace(" moves no reading at all", "").replace(", moved together, change no reading", "")
-        together = ", moved together," if len(one.terms) > 1 else ""
-        said = f"{text}{together} and {standing} are one number in these readings"
-        each.append(Combination(one.terms, said) if far > least else one)
+    effect = f"and {standing} are one number in these readings"
+    far = np.linalg.norm(moved, axis=0) > least
+    each = [dataclasses.replace(c, effect=effect) if taken else c for c, taken in zip(found, far, strict=True)]
     return each, int((np.linalg.svd(moved, compute_uv=False) > least).sum())
 
 
-def combinations(basis: Array, names: Sequence[str], units: Sequence[str], typical: Array) -> list[Combination]:
-    """Return a sparse basis, in words, of the space spanned by the rows of `basis` (k, n), in ordinary errors."""
-    rows = _reduced(np.array(basis))
-    found = []
-    for row in rows:
-        row = row / row[np.argmax(np.abs(row))]
-        terms = {names[j]: float(row[j] * typical[j]) for j in np.argsort(-np.abs(row)) if abs(row[j]) > 1e-6}
-        shown = min(int((np.abs(row) > TOLD).sum()), MOST_TOLD)
-        found.append(Combination(terms, _words(terms, dict(zip(names, units, strict=True)), shown)))
+def combinations(
+    basis: Array, names: Sequence[str], units: Sequence[str], typical: Array, effects: tuple[str, str] = NOT_AT_ALL
+) -> list[Combination]:
+    """Return a sparse basis, in words, of the space spanned by the rows of `basis` (k, n), in ordinary errors.
+
+    `effects` says what one parameter, or several together, do to readings.
+    """
+    unit, found = dict(zip(names, units, strict=True)), []
+    for row in _reduced(np.array(basis)):
+        share = row / row[np.argmax(np.abs(row))]
+        terms = {names[j]: float(share[j] * typical[j]) for j in np.argsort(-np.abs(share)) if abs(share[j]) > SHARE}
+        shown = min(int((np.abs(share) > TOLD).sum()), MOST_TOLD)
+        found.append(Combination(terms, _words(terms, unit, shown), effects[len(terms) > 1]))
     return found
 
 
 def _reduced(basis: Array) -> Array:
     """Return the reduced row echelon form with full pivoting: each row has a 1 where all others have 0."""
     rows = basis.copy()
-    free = list(range(rows.shape[1]))
+    free = np.ones(rows.shape[1], dtype=bool)
     for k in range(len(rows)):
-        block = np.abs(rows[k:][:, free])
-        i, j = np.unravel_index(int(np.argmax(block)), block.shape)
-        column = free.pop(int(j))
+        i, j = np.unravel_index(int(np.argmax(np.abs(rows[k:]) * free)), rows[k:].shape)
+        free[j] = False
         rows[[k, k + int(i)]] = rows[[k + int(i), k]]
-        rows[k] /= rows[k, column]
-        for other in range(len(rows)):
-            if other != k:
-                rows[other] -= rows[other, column] * rows[k]
+        rows[k] /= rows[k, j]
+        others = np.arange(len(rows)) != k
+        rows[others] -= np.outer(rows[others, j], rows[k])
     rows[np.abs(rows) < 1e-9] = 0.0
     return rows
 
 
 def _words(terms: dict[str, float], units: dict[str, str], count: int) -> str:
-    parts = [
-        f"{name} by {value / to_internal(units[name]):+.3g} {file_unit(units[name])}" for name, value in terms.items()
-    ]
-    if len(parts) == 1:
-        return f"{next(iter(terms))} moves no reading at all"
-    rest = len(parts) - count
-    shown = parts[:count] + [f"{rest} smaller share{'s'[: rest > 1]}"] * (rest > 0)
-    return f"{', '.join(shown[:-1])} and {shown[-1]}, moved together, change no reading"
+    if len(terms) == 1:
+        return next(iter(terms))
+    shown = [f"{n} by {v / to_internal(units[n]):+.3g} {file_unit(units[n])}" for n, v in terms.items()][:count]
+    if rest := len(terms) - count:
+        shown.append(f"{rest} smaller share{'s'[: rest > 1]}")
+    return f"{', '.join(shown[:-1])} and {shown[-1]}, moved together,"
 
 
 def base_parameters(H: Array, names: Sequence[str], typical: Array) -> tuple[list[str], dict[str, dict[str, float]]]:
@@ -258,55 +296,35 @@ def base_parameters(H: Array, names: Sequence[str], typical: Array) -> tuple[lis
 
     scaled = H * typical
     _, R, order = linalg.qr(scaled, mode="economic", pivoting=True)
-    diagonal = np.abs(np.diag(R))
-    rank = int((diagonal > RANK_TOLERANCE * diagonal[0]).sum()) if len(diagonal) else 0
+    rank = _rank(np.abs(np.diag(R)))
     share = linalg.solve_triangular(R[:rank, :rank], R[:rank, rank:])
     kept = [names[j] for j in order[:rank]]
     dropped = {
         names[order[rank + c]]: {
             names[order[i]]: float(share[i, c] * typical[order[i]] / typical[order[rank + c]])
             for i in range(rank)
-            if abs(share[i, c]) > 1e-6
+            if abs(share[i, c]) > SHARE
         }
         for c in range(H.shape[1] - rank)
     }
     return kept, dropped
 
 
-@dataclass(frozen=True)
-class BaseParameter:
-    """A parameter together with those that act through it: what the readings determine of them.
+def base(H: Array, names: Sequence[str], typical: Array) -> dict[str, dict[str, float]]:
+    """Return the base parameters of H (rows, n), per mm and rad, in the order of `names`; see `base_parameters`.
 
-    Attributes
-    ----------
-    name : str
-        Of the parameter that the pivoted QR keeps.
-    terms : dict
-        Parameter to its factor in the combination, 1 for `name` itself [mm, rad].
-    text : str
-        The combination in words, in mm and deg.
+    Each comes with the factors [mm, rad] of those that act through it, 1 for itself: the readings determine the sum.
     """
-
-    name: str
-    terms: dict[str, float]
-    text: str
-
-
-def base(H: Array, names: Sequence[str], units: Sequence[str], typical: Array) -> list[BaseParameter]:
-    """Return the base parameters of H (rows, n), per mm and rad, in the order of `names`; see `base_parameters`."""
     kept, dropped = base_parameters(H, names, typical)
-    unit = dict(zip(names, units, strict=True))
-    found = []
-    for name in sorted(kept, key=list(names).index):
-        terms = {name: 1.0} | {n: factors[name] for n, factors in dropped.items() if name in factors}
-        found.append(BaseParameter(name, terms, _sum(terms, unit)))
-    return found
+    through = {name: {n: factors[name] for n, factors in dropped.items() if name in factors} for name in kept}
+    return {name: {name: 1.0, **through[name]} for name in names if name in kept}
 
 
-def _sum(terms: dict[str, float], units: dict[str, str]) -> str:
+def sum_of(terms: Mapping[str, float], units: Mapping[str, str]) -> str:
+    """Return a sum of parameters in words, in units of files; `units` are those inside."""
     out, first = "", next(iter(terms))
     for name, factor in terms.items():
         value = factor * to_internal(units[name]) / to_internal(units[first])
-        size = "" if abs(abs(value) - 1) < 1e-6 else f"{abs(value):.4g} "
+        size = "" if abs(abs(value) - 1) < SHARE else f"{abs(value):.4g} "
         out += name if name == first else f" {'-' if value < 0 else '+'} {size}{name}"
     return out

@@ -8,9 +8,8 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable, Sequence
-from typing import NamedTuple
-
-import numpy as np
+from functools import partial
+from typing import Any
 
 from deltacal_gen.errors import OtherMachine, UnknownName
 from deltacal_gen.estimation.fit import fit, held_out, rough
@@ -23,21 +22,13 @@ from deltacal_gen.files.robot import Robot, for_model
 from deltacal_gen.identification import carried, drawing, identifiability
 from deltacal_gen.identification.answer import Identification
 from deltacal_gen.identification.carried import Periodic
-from deltacal_gen.identification.checks import (
-    all_but_one,
-    check_rows,
-    chosen_model,
-    distinct,
-    plausible,
-    without_knocked,
-)
+from deltacal_gen.identification.checks import chosen_model, distinct, plausible
 from deltacal_gen.identification.folds import FOLDS, folds
-from deltacal_gen.identification.identifiability import Combination
 from deltacal_gen.identification.knowledge import uncertainty_of
 from deltacal_gen.identification.noise import noise, with_tails
 from deltacal_gen.identification.orders import wave
-from deltacal_gen.identification.overflow import without_overflow
-from deltacal_gen.identification.remedies import printed, remedies
+from deltacal_gen.identification.outliers import begun, check_rows, without_knocked, without_overflow
+from deltacal_gen.identification.remedies import remedies
 from deltacal_gen.identification.together import together, without_following
 from deltacal_gen.identification.uncertainty import uncertainty_map
 from deltacal_gen.machine.backend import by_recording
@@ -46,7 +37,6 @@ from deltacal_gen.machine.registry import Machine, mechanism_of
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.terms import Term
 from deltacal_gen.results.parts import Continued, Missing
-from deltacal_gen.results.result import Remedy
 
 Progress = Callable[[str], None]
 
@@ -106,14 +96,14 @@ def identify(
     robot, everything, chosen, not_held = _asked(robot, recording, model, held, machine, as_distance=as_distance)
     names = everything.mechanism.model(chosen)
     own = everything.with_names(names)
-    rule, (known, given) = _solver(solver, truncation, recording.measurement.sigma_mm), with_prior(own, robot)
-    problem = known if isinstance(rule, Prior) else own
+    rule = _solver(solver, truncation, recording.measurement.sigma_mm)
+    problem = with_prior(own, robot)[0] if isinstance(rule, Prior) else own
 
     progress("rough stage: encoder offsets")
-    distinct(everything, recording)
+    distinct(everything)
     first, problem, dropped = _begun(everything, problem, robust, progress, None if periodic is None else wave())
     plausible(first)
-    check_rows(first, recording)
+    check_rows(first)
     progress(f"fine stage: {len(names)} parameters of {chosen}")
     final, told, lost = _carried(_fine(problem, rule, first, robust), rule, first, periodic, robust)
     problem, not_held = final.problem, not_held + dropped + lost
@@ -121,7 +111,7 @@ def identify(
     progress(f"held-out error: {FOLDS} folds")
     final, heldout = _held_out(final, rule, robust) if told is None else (final, told.heldout_rms_mm)
     progress("identifiability")
-    seen = _seen(final, dataclasses.replace(own, held=problem.held, readings=problem.readings), names)
+    seen = identifiability.seen(final, dataclasses.replace(own, held=problem.held, readings=problem.readings))
     calibrated = _calibrated(robot, final, names)
     progress("uncertainty over the workspace")
     of_noise = with_tails(noise(final, recording), final)
@@ -132,13 +122,9 @@ def identify(
         rough=first,
         before_rms=before,
         heldout_rms=heldout,
-        observability=seen.observability,
-        unseen=seen.unseen,
-        weak=seen.weak,
-        base=seen.base,
-        remedies=_remedies(final, seen.absorbed if seen.unseen or seen.weak else None),
+        seen=seen,
+        remedies=remedies(final, seen),
         noise=of_noise,
-        prior_given=given,
         robot=calibrated,
         in_file=in_file,
         not_held=not_held,
@@ -163,7 +149,7 @@ def _asked(
     everything = pose_problem(robot, recording, (), as_distance=as_distance)
     held, not_held = carried.usable(everything, held)
     everything = dataclasses.replace(everything, held=held)
-    chosen = chosen_model(mechanism, everything, recording, model)
+    chosen = chosen_model(everything, model)
     names = mechanism.model(chosen)
     if machine is not None and len(names) < len(mechanism.parameters):
         robot = dataclasses.replace(robot, errors=_left_out(mechanism, robot, machine, names))
@@ -171,37 +157,12 @@ def _asked(
     return robot, everything, chosen, not_held
 
 
-class _Seen(NamedTuple):
-    """What the readings pin down, as `Identification` has it; `absorbed` counts what the instrument takes up."""
-
-    observability: identifiability.Observability
-    unseen: list[Combination]
-    absorbed: int
-    weak: list[Combination]
-    base: list[identifiability.BaseParameter]
-
-
-def _seen(final: Fit, own: Problem, names: Sequence[str]) -> _Seen:
-    """Return which of the parameters of a model the readings see."""
-    mechanism, matrix = own.mechanism, identifiability.identification_matrix(own, "typical")
-    observed = identifiability.observability(matrix.H, len(np.unique(final.problem.readings.group)))
-    units = [mechanism.parameters[mechanism.index[n]].unit for n in names]
-    typical = mechanism.typical[[mechanism.index[n] for n in names]]
-    per_unit = matrix.H / typical
-    unseen = identifiability.unseen(per_unit, names, units, typical)
-    unseen, absorbed = identifiability.beside(unseen, matrix, typical, final.problem.readings.kind.whereabouts)
-    base = identifiability.base(per_unit, names, units, typical) if unseen else []
-    return _Seen(observed, unseen, absorbed, _weak(final, len(unseen), units), base)
-
-
 def _begun(
     everything: Problem, problem: Problem, robust: bool, progress: Progress, spared: str | None = None
 ) -> tuple[Fit, Problem, tuple[Missing, ...]]:
     """Return the rough fit, the problem with the effects that these readings bear out, and those that they do not."""
-    first = rough(everything, robust, must_converge=False)  # `plausible` says why it may not
-    if robust and (rest := all_but_one(first)) is not None:
-        everything, problem = everything.subset(rest), problem.subset(rest)
-        first = rough(everything, robust, must_converge=False)
+    everything, first = begun(everything, robust)
+    problem = dataclasses.replace(problem, readings=everything.readings)
     if not everything.held or everything.readings.made:
         return first, problem, ()
     progress("what of the diagnosis holds here")
@@ -249,16 +210,6 @@ def _carried(
     return (beside(held) if dropped else final), None, dropped
 
 
-def _remedies(final: Fit, absorbed: int | None) -> tuple[Remedy, ...]:
-    """Return what else may be measured; `absorbed` as of `remedies`, None where every direction is pinned."""
-    kind = final.problem.readings.kind
-    if kind.sees_joints:
-        return ()
-    if kind.distances_beside:
-        return printed(final) if 3 in final.problem.mechanism.widths else ()  # what turns its tool prints nothing
-    return () if absorbed is None else remedies(final, absorbed)
-
-
 def _left_out(mechanism: Machine, robot: Robot, machine: Robot, names: Sequence[str]) -> dict[str, float]:
     """Return a robot's source errors with those that a model leaves out as another session of the machine has them."""
     if machine.mechanism != robot.mechanism:
@@ -286,16 +237,8 @@ def _held_out(final: Fit, rule: Solver, robust: bool) -> tuple[Fit, float]:
     calm = together(final) if proven or (whole and (shares or problem.readings.kind.positions)) else None
     if calm is None:
         return final, held_out(final, rule, folds(problem.readings, recording))
-    weighed = fit(
-        problem,
-        rule,
-        errors=final.errors,
-        machine=final.machine,
-        instrument=final.instrument,
-        robust=robust,
-        repeats=calm,
-        must_converge=False,
-    )
+    near: dict[str, Any] = {"errors": final.errors, "machine": final.machine, "instrument": final.instrument}
+    weighed = fit(problem, rule, robust=robust, repeats=calm, must_converge=False, **near)
     parts = folds(problem.readings, recording, rows=calm.rows)
     each = [(at, held_out(at, rule, parts)) for at in ((weighed,) if shares else (final, weighed))]
     return min(each, key=lambda found: found[1])
@@ -304,26 +247,7 @@ def _held_out(final: Fit, rule: Solver, robust: bool) -> tuple[Fit, float]:
 def _solver(name: str | Solver, truncation: int | str, sigma: float | None) -> Solver:
     if not isinstance(name, str):
         return name
-    solvers: dict[str, Callable[[], Solver]] = {
-        "prior": Prior,
-        "least-squares": LeastSquares,
-        "tsvd": lambda: TSVD(truncation, sigma),
-        "ridge": Ridge,
-    }
-    if name not in solvers:
-        raise UnknownName(f"there is no solver '{name}'; known: {', '.join(solvers)}.")
-    return solvers[name]()
-
-
-def _weak(final: Fit, n_unseen: int, units: list[str]) -> list[Combination]:
-    """Return the directions, beside those no reading sees, that the data know less well than the prior."""
-    solution = final.solution
-    order = np.argsort(solution.singular_values)[n_unseen:]
-    rows = [solution.V[:, j] for j in order if solution.factors[j] < 0.5]
-    if not rows:
-        return []
-    found = identifiability.combinations(np.array(rows), final.problem.names, units, final.problem.scale)
-    return [
-        dataclasses.replace(c, text=c.text.replace("change no reading", "change the readings by less than their noise"))
-        for c in found
-    ]
+    rules = {"prior": Prior, "least-squares": LeastSquares, "tsvd": partial(TSVD, truncation, sigma), "ridge": Ridge}
+    if name not in rules:
+        raise UnknownName(f"there is no solver '{name}'; known: {', '.join(rules)}.")
+    return rules[name]()

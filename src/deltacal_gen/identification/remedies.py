@@ -9,6 +9,7 @@ import numpy as np
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.prior import with_prior
 from deltacal_gen.estimation.problem import Problem
+from deltacal_gen.identification.identifiability import Seen
 from deltacal_gen.inference.projection import basis, project_out
 from deltacal_gen.instrument.kinds import PAIRS, POINTS, kind_of
 from deltacal_gen.machine.registry import SOLVED, Array, mechanism_of
@@ -23,44 +24,51 @@ TURNED = 3  # points at a pose that tell how the platform is turned
 HANDS = 100.0  # mm: how far beside the first a further reference point of a chain is
 
 
-def remedies(final: Fit, absorbed: int = 0) -> tuple[Remedy, ...]:
-    """Return extra measurements, each with how many more directions it would pin, most first.
+def remedies(final: Fit, seen: Seen) -> tuple[Remedy, ...]:
+    """Return extra measurements, each with how many more of the directions that readings leave open it would pin."""
+    kind = final.problem.readings.kind
+    if kind.sees_joints:
+        return ()
+    if kind.distances_beside:
+        return _printed(final) if 3 in final.problem.mechanism.widths else ()  # what turns its tool prints nothing
+    return _measured(final, seen.absorbed) if seen.unseen or seen.weak else ()
+
+
+def _measured(final: Fit, absorbed: int) -> tuple[Remedy, ...]:
+    """Return extra measurements of the platform, those that pin most first.
 
     So many directions are `absorbed` by what is unknown of the instrument's place, which it settles where known.
     """
     problem = final.problem
-    known = _pinned([problem], final)
-    span = _span(problem.robot)
+    kind, span, read = problem.readings.kind, _span(problem.robot), _points_at_a_pose(problem)
+
+    def beside(of: Problem, *offsets: tuple[int, int, int]) -> list[Problem]:
+        return [of.with_tool(of.body.tool + np.array(offset) * span) for offset in offsets]
+
     ideas: list[tuple[str, list[Problem]]] = []
-    tools = [problem.body.tool + np.array(offset) * span for offset in ((1, 0, 0), (0, 1, 0), (0, 0, -1))]
-    moved = [problem.with_tool(tool) for tool in tools]
-    kind = problem.readings.kind
     if not kind.picked and not kind.carried(problem.mechanism):  # a measuring mechanism mounted anew has new errors
-        beside, read = f"{span:.0f} mm beside the first, at the same poses", _points_at_a_pose(problem)
+        where, points = f"{span:.0f} mm beside the first, at the same poses", beside(problem, (1, 0, 0), (0, 1, 0))
         if read == 1:
-            ideas.append((f"a second reference point, {beside}", moved[:1]))
-            ideas.append((f"a second and a third reference point, {beside}", moved[:2]))
+            ideas.append((f"a second reference point, {where}", points[:1]))
+            ideas.append((f"a second and a third reference point, {where}", points))
         elif read == 2:
-            ideas.append((f"a third reference point, {beside}", moved[:1]))
-    if problem.readings.kind.position_beside:
+            ideas.append((f"a third reference point, {where}", points[:1]))
+    if kind.position_beside:
         ideas.append(("the position itself at the same poses, with a tracker or a camera", [_as_positions(problem)]))
-    if problem.readings.kind.rotation_beside and problem.mechanism.turns and _points_at_a_pose(problem) < TURNED:
-        full = _as_positions(problem)
-        three = [full.with_tool(full.body.tool + np.array(o) * span) for o in ((0, 0, 0), (1, 0, 0), (0, 1, 0))]
+    if kind.rotation_beside and problem.mechanism.turns and read < TURNED:
+        three = beside(_as_positions(problem), (0, 0, 0), (1, 0, 0), (0, 1, 0))
         ideas.append(("the platform's rotation (kind pose) at the same poses", three))
-    gains = {text: _pinned([problem, *extra], final) - known for text, extra in ideas}
-    # what pins no more than less of the same is no idea
-    told = [
-        text for text, extra in ideas if gains[text] > max((gains[t] for t, e in ideas if e == extra[:-1]), default=0)
-    ]
-    of = len(problem.names) - known
+    known = _pinned([problem], final)
+    gains: dict[str, int] = {}
+    for text, extra in ideas:
+        gain = _pinned([problem, *extra], final) - known
+        # what pins no more than less of the same is no idea
+        if gain > max((gains.get(t, 0) for t, less in ideas if less == extra[:-1]), default=0):
+            gains[text] = gain
     if absorbed:
-        at = kind.whereabouts
-        told.append(f"{at}, known in the robot's frame to {final.sigma[0]:.2g} mm,")
-        gains[told[-1]] = absorbed
-    return tuple(
-        Remedy(measurement=text, pins=gains[text], of=of) for text in sorted(told, key=lambda text: -gains[text])
-    )
+        gains[f"{kind.whereabouts}, known in the robot's frame to {final.sigma[0]:.2g} mm,"] = absorbed
+    of = len(problem.names) - known
+    return tuple(Remedy(measurement=text, pins=gains[text], of=of) for text in sorted(gains, key=lambda t: -gains[t]))
 
 
 def _points_at_a_pose(problem: Problem) -> int:
@@ -78,7 +86,7 @@ def _span(robot: Robot) -> float:
     return float(np.mean([v[0] for v in robot.geometry.values()][:2])) / 2
 
 
-def printed(final: Fit) -> tuple[Remedy, ...]:
+def _printed(final: Fit) -> tuple[Remedy, ...]:
     """Return the one or two distances to print and measure that settle what probed heights leave open.
 
     Heights make a bed flat; the size of what is printed over it hangs on arms, radius and towers that they hardly see.

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from deltacal_gen.estimation.fitted import Fit
-from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.rotation import align, from_vector, to_vector
 from deltacal_gen.units import DEG
@@ -15,72 +16,70 @@ FAR_TURNED = 2 * DEG  # rms of rotations beside a fit: no instrument reads so ba
 TURNED = 0.3  # of what they are off: what another meaning of their angles may leave that explains them
 
 
+class Turns(NamedTuple):
+    """Rotations from pose to pose of one set-up beside others: both by one angle, wherever and however each is mounted.
+
+    Attributes
+    ----------
+    off : float
+        Median distance of their rotation vectors [rad].
+    frame : (3, 3) array
+        The rotation that takes the axes of the first to those of the others.
+    left : float
+        What of `off` it leaves.
+    """
+
+    off: float
+    frame: Array
+    left: float
+
+
 def turned(at: Fit) -> tuple[str, ...]:
     """Return that measured rotations are not the machine's, where a fit leaves so much of them: they told nothing."""
-    left = at.residual[:, 3:] if at.problem.readings.rotations is not None else np.empty(0)
+    found = at.problem.readings
+    left = at.residual[:, 3:] if found.rotations is not None else np.empty(0)
     left = left[np.isfinite(left)]
     off = float(np.sqrt(np.mean(left**2))) if len(left) else 0.0
     if off < FAR_TURNED:
         return ()
-    if (frame := _frame(at)) is not None:
+    said = f"the measured rotations are {off / DEG:.2g} deg off this machine, "
+    turns = None
+    if found.rotations is not None and {3, 4, 5} <= {*found.components}:
+        gap = from_vector(np.nan_to_num(at.residual[:, 3:]))
+        turns = compared(np.swapaxes(gap, 1, 2) @ found.rotations, found.rotations, found.setup)
+    if turns is not None and turns.left < TURNED * turns.off:
+        frame = to_vector(turns.frame[None])[0]
         angle = float(np.linalg.norm(frame))
         axis = ", ".join(f"{v:.2f}" for v in np.round(frame / angle, 2) + 0.0)
         return (
-            f"the measured rotations are {off / DEG:.2g} deg off this machine, though from pose to pose they turn as "
-            f"it does: their axes are those of the positions turned by {angle / DEG:.3g} deg about ({axis}). They told "
-            "next to nothing. Give positions and rotations in one frame.",
+            f"{said}though from pose to pose they turn as it does: their axes are those of the positions turned by "
+            f"{angle / DEG:.3g} deg about ({axis}). They told next to nothing. Give positions and rotations in one "
+            "frame.",
         )
     return (
-        f"the measured rotations are {off / DEG:.2g} deg off this machine, which explains its positions: they told "
-        "next to nothing. rx_deg, ry_deg, rz_deg are a rotation vector of the platform about the instrument's axes; "
-        "what else they may be, the sidecar says (rotation under [measurement]).",
+        f"{said}which explains its positions: they told next to nothing. rx_deg, ry_deg, rz_deg are a rotation vector "
+        "of the platform about the instrument's axes; what else they may be, the sidecar says (rotation under "
+        "[measurement]).",
     )
 
 
-def _frame(at: Fit) -> Array | None:
-    """Return by what rotation vector (3,) the frame of rotations stands off that of positions; None where by none.
+def compared(made: Array, told: Array, setup: np.ndarray) -> Turns | None:
+    """Return how rotations (R, 3, 3) turn from pose to pose beside others, by set-up (R,); None of too few poses.
 
-    A turn from pose to pose has one axis in each frame, and one angle, however the body is mounted.
+    A pose that was read wrongly, and turns near half a revolution, which may be of the other sense, are beyond the
+    median.
     """
-    found = at.problem.readings
-    if found.rotations is None or at.residual.shape[1] < 6:
+    read = np.isfinite(told).all(axis=(1, 2)) & np.isfinite(made).all(axis=(1, 2))
+    looked_at = [np.flatnonzero(read & (setup == s))[:POSES_LOOKED_AT] for s in np.unique(setup)]
+    a, b = np.hstack([own[np.array(np.triu_indices(len(own), 1))] for own in looked_at])
+    if len(a) < 3:
         return None
-    read = np.flatnonzero(np.isfinite(at.residual[:, 3:]).all(axis=1))[:POSES_LOOKED_AT]
-    a, b = (read[k] for k in np.triu_indices(len(read), 1))
-    near = found.setup[a] == found.setup[b]
-    measured = found.rotations
-    predicted = np.full(measured.shape, np.nan)
-    predicted[read] = np.swapaxes(from_vector(at.residual[read, 3:]), 1, 2) @ measured[read]
-    made, told = (to_vector(R[a[near]] @ np.swapaxes(R[b[near]], 1, 2)) for R in (predicted, measured))
-    if len(told) < 3:
-        return None
-    off, (turn, left) = float(np.median(np.linalg.norm(told - made, axis=1))), _aligned(made, told)
-    vector: Array = to_vector(turn[None])[0]
-    return vector if left < TURNED * off else None
+    by_machine, by_reading = (to_vector(R[a] @ np.swapaxes(R[b], 1, 2)) for R in (made, told))
 
+    def left(frame: Array) -> Array:
+        return np.linalg.norm(by_reading - by_machine @ frame.T, axis=1)
 
-def _aligned(made: Array, told: Array) -> tuple[Array, float]:
-    """Return the rotation (3, 3) that takes vectors (P, 3) to others, and the median length of what it leaves.
-
-    A pose that was read wrongly, and vectors near half a turn, which may be of the other sense, are beyond the median.
-    """
-    turn = align(made, told)
-    left = np.linalg.norm(told - made @ turn.T, axis=1)
-    near = left <= np.median(left)
-    turn = align(made[near], told[near])
-    return turn, float(np.median(np.linalg.norm(told - made @ turn.T, axis=1)))
-
-
-def apart(rotations: Array, drawn: Array, problem: Problem) -> float:
-    """Return by how much rotations (R, 3, 3) differ from others [rad], the median over pairs of poses of a set-up.
-
-    From pose to pose both turn by one angle about one axis of the body, wherever the instrument stands; and the axes
-    of all pairs are those of the other body turned by one rotation, that of its mount.
-    """
-    setup, turns = problem.readings.setup, []
-    for s in np.unique(setup):
-        own = np.flatnonzero((setup == s) & np.isfinite(rotations[:, 0, 0]))[:POSES_LOOKED_AT]
-        a, b = np.triu_indices(len(own), 1)
-        turns.append([to_vector(np.swapaxes(R[own[a]], 1, 2) @ R[own[b]]) for R in (drawn, rotations)])
-    made, told = (np.concatenate(each) for each in zip(*turns, strict=True))
-    return _aligned(made, told)[1] if len(told) else 0.0
+    every = left(align(by_machine, by_reading))
+    near = every <= np.median(every)
+    frame = align(by_machine[near], by_reading[near])
+    return Turns(float(np.median(left(np.eye(3)))), frame, float(np.median(left(frame))))

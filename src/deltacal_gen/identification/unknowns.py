@@ -8,8 +8,10 @@ unknown that is unknown; what rests on nothing but a broad prior has no standard
 from __future__ import annotations
 
 import dataclasses
+from collections import Counter
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
@@ -26,6 +28,30 @@ GROWS = 1.5  # by how much it may grow all the same
 NOWHERE = 1e4  # ordinary sizes: where an unknown of the instrument may stand that nothing sees
 TOGETHER = 0.3  # correlation beyond which parameters stand for an unknown
 MOST_TOLD = 6  # of them
+ANYTHING = "what else is unknown", "read from other places and directions"
+
+
+class _Named(NamedTuple):
+    """An unknown of the instrument that has a name, in a set-up that was read.
+
+    Attributes
+    ----------
+    setup, place : int
+        Where it stands among set-ups, and among all that is unknown.
+    kind : str
+        What its kind calls it, whatever the set-up.
+    name, unit : str
+        As answers call it, and its unit inside.
+    typical : float
+        Its ordinary size.
+    """
+
+    setup: int
+    place: int
+    kind: str
+    name: str
+    unit: str
+    typical: float
 
 
 @dataclass(frozen=True)
@@ -49,29 +75,25 @@ class Open:
     words: str
     remedy: str
     terms: dict[str, float]
-    summed: bool = False
+    summed: bool
 
     @property
     def sentence(self) -> str:
         """Both members in a sentence."""
+        one = f"{self.name} and {self.words} are one number in these readings"
         if self.summed:
-            return f"{self.name} and {self.words} are one number in these readings: their sum is found"
-        moved = ", ".join(f"{name} {value:+.2g}" for name, value in self.terms.items())
-        return f"{self.name} and {self.words} are one number in these readings ({moved}): neither is found"
+            return f"{one}: their sum is found"
+        return f"{one} ({', '.join(f'{name} {value:+.2g}' for name, value in self.terms.items())}): neither is found"
 
 
 @dataclass(frozen=True, eq=False)
 class Unknowns:
     """What a fit says of the unknowns of its instrument that have a name.
 
-    Attributes
-    ----------
-    given : tuple of bool
-        Which of the fit's parameters the robot file's tolerances know.
+    The robot file's tolerances are taken as what is known of its parameters.
     """
 
     final: Fit
-    given: tuple[bool, ...]
 
     @cached_property
     def instrument(self) -> Instrument:
@@ -89,8 +111,8 @@ class Unknowns:
 
     @cached_property
     def _information(self) -> Array:
-        final, problem = self.final, self.final.problem
-        state = problem.linearise(final.errors, self.instrument, final.machine)
+        final = self.final
+        state = final.problem.linearise(final.errors, self.instrument, final.machine)
         J = np.concatenate([state.J_p, state.J_m], axis=2) * self._sizes
         rows = (J * (np.sqrt(final.weights)[:, None] / final.sigma)[..., None])[np.isfinite(state.residual)]
         information: Array = rows.T @ rows
@@ -98,9 +120,10 @@ class Unknowns:
 
     def _covariance(self, assumed: float, told: float) -> Array:
         """Return the covariance in ordinary sizes, with priors so many times as wide: assumed ones, told ones."""
+        problem = self.final.problem
         priors = np.full(len(self._sizes), 1 / NOWHERE**2)
-        priors[: len(self.final.problem.scale)] = 1 / assumed**2
-        priors[: len(self.given)][np.array(self.given, dtype=bool)] = 1 / told**2
+        priors[: len(problem.scale)] = 1 / assumed**2
+        priors[[j for j, name in enumerate(problem.names) if name in problem.robot.tolerance]] = 1 / told**2
         scale = 1 / np.sqrt(np.diag(self._information) + priors)
         whole = (self._information + np.diag(priors)) * np.outer(scale, scale)
         return np.asarray(np.linalg.pinv(whole, hermitian=True, rcond=1e-15) * np.outer(scale, scale))
@@ -110,16 +133,22 @@ class Unknowns:
         """Covariances with the priors as they are, without those that no drawing gives, and without any."""
         return self._covariance(1.0, 1.0), self._covariance(FREER, 1.0), self._covariance(FREER, FREER)
 
-    def _named(self) -> list[tuple[int, int, int]]:
-        """Return set-up, unknown and place among all of each unknown that has a name, of set-ups that were read."""
-        at, n = self.instrument, len(self.final.problem.scale)
-        each = len(at.free)
-        wanted = [k for k, u in enumerate(at.free) if at.kind.unknown[u][0] in at.kind.reported]
-        read = np.unique(self.final.problem.readings.setup)
-        return [(int(s), at.free[k], n + int(s) * each + k) for s in read for k in wanted]
+    @cached_property
+    def _named(self) -> list[_Named]:
+        at, n, found = self.instrument, len(self.final.problem.scale), []
+        for s in np.unique(self.final.problem.readings.setup).tolist():
+            for k, u in enumerate(at.free):
+                kind, j = at.kind.unknown[u][0], s * len(at.free) + k
+                if kind in at.kind.reported:
+                    name, unit = at.unknown[j]
+                    found.append(_Named(s, n + j, kind, name, unit, float(at.kind.typical[u])))
+        return found
 
-    def _status(self, j: int) -> Status:
-        own, loose, looser = (np.sqrt(C[j, j]) for C in self._stages)
+    def _value(self, one: _Named) -> float:
+        return float(self.instrument.state[one.setup, self.instrument.kind.reported[one.kind]])
+
+    def _status(self, one: _Named) -> Status:
+        own, loose, looser = (np.sqrt(C[one.place, one.place]) for C in self._stages)
         if loose > GROWS * own or own > BROAD:
             return Status.NOT_PINNED
         return Status.BY_PRIOR if looser > GROWS * own else Status.IDENTIFIED
@@ -127,20 +156,18 @@ class Unknowns:
     @cached_property
     def parameters(self) -> tuple[Parameter, ...]:
         """The unknowns with values, set-up by set-up, in the units of files."""
-        at, n = self.instrument, len(self.final.problem.scale)
         found, open_ = [], {o.name: o for o in self.open}
-        for s, u, j in self._named():
-            name, unit = at.unknown[j - n]
-            status, std = self._status(j), float(np.sqrt(self._stages[0][j, j]) * self._sizes[j])
-            other = open_.get(name)
+        for one in self._named:
+            status, other, unit = self._status(one), open_.get(one.name), to_internal(one.unit)
+            std = float(np.sqrt(self._stages[0][one.place, one.place]) * self._sizes[one.place])
             found.append(
                 Parameter(
-                    name=name,
-                    value=float(at.state[s, at.kind.reported[at.kind.unknown[u][0]]]) / to_internal(unit),
-                    std=None if status is Status.NOT_PINNED else std / to_internal(unit),
-                    unit=at.reported[name],
+                    name=one.name,
+                    value=self._value(one) / unit,
+                    std=None if status is Status.NOT_PINNED else std / unit,
+                    unit=self.instrument.reported[one.name],
                     status=status,
-                    indistinguishable_from=None if other is None else (other.words, *list(other.terms)[1:]),
+                    indistinguishable_from=other and (other.words, *list(other.terms)[1:]),
                 )
             )
         return tuple(found)
@@ -148,54 +175,40 @@ class Unknowns:
     @cached_property
     def open(self) -> tuple[Open, ...]:
         """The unknowns that are not pinned, and those that are found together with something of the machine."""
-        at, problem, n = self.instrument, self.final.problem, len(self.final.problem.scale)
-        names = [*problem.names, *(f"({t.effect})" for t in problem.terms for _ in range(t.n_coefficients))]
-        units = [problem.mechanism.parameters[problem.mechanism.index[name]].unit for name in problem.names]
-        found = []
-        for s, u, j in self._named():
-            if self._status(j) is not Status.NOT_PINNED:
-                if at.kind.unknown[u][0] in at.kind.sums:
-                    found.append(self._summed(s, u, j))
+        kind, found = self.instrument.kind, []
+        for one in self._named:
+            free = self._status(one) is Status.NOT_PINNED
+            if not free and one.kind not in kind.sums:
                 continue
-            C = self._stages[2]
-            close = C[:, j] / np.sqrt(np.maximum(np.diag(C) * C[j, j], 1e-300))
-            along = C[:, j] / C[j, j] * self._sizes / self._sizes[j] * at.kind.typical[u]
-            order = [k for k in np.argsort(-np.abs(close[: len(units)])) if abs(close[k]) > TOGETHER][:MOST_TOLD]
-            name = at.unknown[j - n][0]
-            words, remedy = at.kind.confounds.get(
-                at.kind.unknown[u][0], ("what else is unknown", "read from other places and directions")
-            )
-            terms = {name: float(at.kind.typical[u]) / to_internal(at.kind.unknown[u][1])}
-            terms |= {names[k]: float(along[k]) / to_internal(units[k]) for k in order}
-            own = self._enough(j)
-            size = max(abs(float(at.state[s, at.kind.reported[at.kind.unknown[u][0]]])), 1e-300)
-            needed = {
+            words, remedy = (kind.confounds if free else kind.sums).get(one.kind, ANYTHING)
+            # how far off it may be to move readings by less than their noise, root mean square
+            seen = self._information[one.place, one.place] / self.final.problem.readings.n_scalars
+            own = float(self._sizes[one.place] / np.sqrt(seen))
+            told = {
+                "number": one.setup + 1,
+                "own": own / to_internal(one.unit),
+                "unit": self.instrument.reported[one.name],
                 "accuracy": self._needed(),
-                "own": own / to_internal(at.unknown[j - n][1]),
-                "percent": 100 * own / size,
+                "percent": 100 * own / max(abs(self._value(one)), 1e-300),
             }
-            found.append(Open(name, words, remedy.format(**needed), terms))
+            terms = {one.name: one.typical / to_internal(one.unit)} | (self._along(one) if free else {})
+            found.append(Open(one.name, words.format(**told), remedy.format(**told), terms, summed=not free))
         return tuple(found)
 
-    def _summed(self, s: int, u: int, j: int) -> Open:
-        """Return an unknown that is found together with what of the machine is in it."""
-        at, n = self.instrument, len(self.final.problem.scale)
-        words, remedy = at.kind.sums[at.kind.unknown[u][0]]
-        name, unit = at.unknown[j - n]
-        told = {"number": s + 1, "own": self._enough(j) / to_internal(unit), "unit": at.reported[name]}
-        size = float(at.kind.typical[u]) / to_internal(unit)
-        return Open(name, words.format(**told), remedy.format(**told), {name: size}, summed=True)
+    def _along(self, one: _Named) -> dict[str, float]:
+        """Return which source errors stand for an unknown, and how large they are where it has its ordinary size."""
+        problem, C, j = self.final.problem, self._stages[2], one.place
+        close = C[:, j] / np.sqrt(np.maximum(np.diag(C) * C[j, j], 1e-300))
+        along = C[:, j] / C[j, j] * self._sizes / self._sizes[j] * one.typical
+        units = [problem.mechanism.parameters[problem.mechanism.index[name]].unit for name in problem.names]
+        order = [k for k in np.argsort(-np.abs(close[: len(units)])) if abs(close[k]) > TOGETHER][:MOST_TOLD]
+        return {problem.names[k]: float(along[k]) / to_internal(units[k]) for k in order}
 
     def _needed(self) -> float:
         """Return how well a length must be known [%] to leave less than the noise over what the readings span."""
         final = self.final
-        rows = final.problem.readings.used
-        span = float(np.linalg.norm(np.ptp(final.machine.x[rows, :3], axis=0)))
+        span = float(np.linalg.norm(np.ptp(final.machine.x[final.problem.readings.used, :3], axis=0)))
         return 100 * float(final.sigma[0]) / max(span, 1e-9)
-
-    def _enough(self, j: int) -> float:
-        """Return how far off the j-th may be to move readings by less than their noise, root mean square."""
-        return float(self._sizes[j] * np.sqrt(self.final.problem.readings.n_scalars / self._information[j, j]))
 
     @property
     def combinations(self) -> tuple[OpenCombination, ...]:
@@ -205,9 +218,8 @@ class Unknowns:
     @property
     def remedies(self) -> tuple[Remedy, ...]:
         """What to read to tell them apart, as results tell it; once where it serves several."""
-        each = {o.remedy: o for o in self.open}
-        count = [sum(o.remedy == remedy for o in self.open) for remedy in each]
-        return tuple(Remedy(measurement=r, pins=k, of=len(self.open)) for r, k in zip(each, count, strict=True))
+        each = Counter(o.remedy for o in self.open)
+        return tuple(Remedy(measurement=r, pins=k, of=len(self.open)) for r, k in each.items())
 
     @property
     def next_measurements(self) -> tuple[NextMeasurement, ...]:
@@ -221,8 +233,3 @@ class Unknowns:
             )
             for o in self.open
         )
-
-
-def unknowns_of(final: Fit) -> Unknowns:
-    """Return what a fit says of its instrument's unknowns, the robot file's tolerances taken as what is known."""
-    return Unknowns(final, tuple(name in final.problem.robot.tolerance for name in final.problem.names))

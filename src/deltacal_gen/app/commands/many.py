@@ -156,7 +156,7 @@ def _machines(
     sigma = kind.sigma(said, made.instrument.scale) or 0.0
     turns = (poses.measurement.sigma_rad or sigma / TURN_MM) if kind.rotations else 0.0
     made = dataclasses.replace(made, sigma=sigma, turn_sigma=turns)
-    chosen = chosen_model(mechanism, made.problem, poses, model)
+    chosen = chosen_model(made.problem, model)
     names = mechanism.model(chosen)
     wrong = names if machine is None else mechanism.model(machine)
     return dataclasses.replace(made, names=names, errors=wrong), chosen
