@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
@@ -14,7 +14,7 @@ from deltacal_gen.diagnosis.chance import Chance
 from deltacal_gen.diagnosis.charges import several
 from deltacal_gen.diagnosis.correction import Correction
 from deltacal_gen.diagnosis.discrimination import more_poses
-from deltacal_gen.diagnosis.findings import Named
+from deltacal_gen.diagnosis.findings import Named, share_removed
 from deltacal_gen.diagnosis.harmonics import order_of, unrepeated
 from deltacal_gen.diagnosis.laws.laws import Lawful
 from deltacal_gen.diagnosis.laws.told import told
@@ -100,11 +100,9 @@ class Diagnosed:
         before, after = (heldout if np.isfinite(heldout) else None for heldout in self.heldout)
         unit, unknowns = final.instrument.unit(recording.columns), Unknowns(final)
         clock: Literal["time_s", "row"] = "row" if final.problem.body.channels.get("time") is None else "time_s"
-        spectrum = [] if self.spectrum is None else [(_periodic(self, self.spectrum), self.spectrum.terms)]
-        effects = [
-            *spectrum,
-            *((_effect(n, final, self.chance, clock), _finding(n, self.effects)) for n in self.effects),
-        ]
+        effects = [(_effect(n, final, self.chance, clock), _finding(n, self.effects)) for n in self.effects]
+        if self.spectrum is not None:
+            effects.insert(0, (_periodic(self, self.spectrum), list(self.spectrum.terms)))
         answer = Diagnosis(
             verdict=self.verdict,
             summary="",
@@ -128,8 +126,8 @@ class Diagnosed:
             hints=self.hints,
             not_tested=self.not_tested,
             next_measurements=(
-                *unknowns.next_measurements,
                 *self.next_measurements,
+                *unknowns.next_measurements,
                 *([more_poses(final.problem)] if self.short else []),
             ),
             gross_errors=gross_lines(final),
@@ -165,12 +163,6 @@ def _instrument(final: Fit, known: Instrument) -> InstrumentState:
     return known.kept(recording.setup_names, recording.measurement.zero, recording.columns)
 
 
-def _share(found: Diagnosed, heldout: tuple[float, float]) -> float:
-    """Return which part of the held-out variance above noise something removes; errors [mm] without and with it."""
-    before, after = heldout
-    return float(np.clip((before**2 - after**2) / max(before**2 - found.noise.sigma**2, 1e-300), 0.0, 1.0))
-
-
 def _correction(found: Diagnosed, made: Correction) -> results.SmoothCorrection:
     """Return the smooth correction: what it depends on, what it gains on held-out poses, and all that it needs.
 
@@ -183,7 +175,7 @@ def _correction(found: Diagnosed, made: Correction) -> results.SmoothCorrection:
         limbs=tuple(i for smooth in made.moving for i in smooth.limbs),
         rms_mm=made.size,
         heldout_rms_mm=results.BeforeAfter(before=made.heldout[0], after=made.heldout[1]),
-        share_of_excess=_share(found, made.heldout),
+        share_of_excess=share_removed(made.heldout, found.noise.sigma),
         functions=_functions(found.final.problem, made),
         smooth=tuple(smooth.kept() for smooth in made.smooth),
         machine=MachineState(
@@ -196,25 +188,16 @@ def _correction(found: Diagnosed, made: Correction) -> results.SmoothCorrection:
 
 def _functions(problem: Problem, made: Correction) -> tuple[results.JointFunction, ...]:
     """Return what a correction says of each joint that goes with its own angle or travel, the strongest first."""
-    mechanism = problem.mechanism
-    names = joint_names(problem.recording.joint_unit, mechanism.limbs)
-    out = []
-    for smooth, moved in zip(made.moving, made.each, strict=True):
-        if smooth.variable not in names or smooth.limbs != (names.index(smooth.variable) + 1,):
-            continue
-        limb, turns = smooth.limbs[0], mechanism.joint_units[smooth.limbs[0] - 1] == "rad"
-        size, waves = smooth.waves()
-        out.append(
-            results.JointFunction(
-                limb=limb,
-                rms_mm=moved,
-                joint_rms_deg=size / DEG if turns else None,
-                joint_rms_mm=None if turns else size,
-                orders=tuple(360.0 / v for v in waves) if turns else None,
-                waves_mm=None if turns else waves,
-            )
-        )
-    return tuple(sorted(out, key=lambda f: -f.rms_mm))
+    out, names = [], joint_names(problem.recording.joint_unit, problem.mechanism.limbs)
+    for smooth, moved in sorted(zip(made.moving, made.each, strict=True), key=lambda pair: -pair[1]):
+        if [names[i - 1] for i in smooth.limbs] == [smooth.variable]:
+            (limb,), (size, waves) = smooth.limbs, smooth.waves()
+            by_angle = {"joint_rms_deg": size / DEG, "orders": tuple(360.0 / v for v in waves)}
+            by_travel = {"joint_rms_mm": size, "waves_mm": waves}
+            nothing: dict[str, Any] = dict.fromkeys((*by_angle, *by_travel))
+            own = by_angle if problem.mechanism.joint_units[limb - 1] == "rad" else by_travel
+            out.append(results.JointFunction(limb=limb, rms_mm=moved, **nothing | own))
+    return tuple(out)
 
 
 def _residuals(found: Diagnosed, effects: Sequence[tuple[results.Effect, Sequence[Term]]]) -> results.Residuals:
@@ -225,16 +208,15 @@ def _residuals(found: Diagnosed, effects: Sequence[tuple[results.Effect, Sequenc
     q, n = problem.body.q[rows], problem.mechanism.limbs
     channels |= zip(joint_names(unit, n), (q / joint_factors(unit, n)).T, strict=True)
     before, after = (np.nan_to_num(at.residual[:, :3]) for at in (found.baseline, final))
-    effect, terms = max(effects, key=lambda e: e[0].share_of_excess, default=(None, ()))
-    strongest = effect and (effect.name, terms)
-    limbs = found.location.limbs if effect is None else effect.limbs
+    strongest = max(effects, key=lambda e: e[0].share_of_excess, default=None)
+    limbs = found.location.limbs if strongest is None else strongest[0].limbs
     return results.Residuals(
         line=problem.readings.line,
         position_mm=final.machine.x[rows, :3],
         before_mm=before,
         after_mm=after,
         channels=channels,
-        partial=partial_residuals(final, before, after, strongest, limbs),
+        partial=partial_residuals(final, before, after, strongest and (strongest[0].name, strongest[1]), limbs),
     )
 
 
@@ -320,7 +302,7 @@ def _periodic(found: Diagnosed, spectrum: Spectrum) -> results.Effect:
         p_value=found.chance.of(gain - 2.0 * spectrum.corner * len(spectrum.limbs)),
         gain_chi2=gain,
         gain_by_limb={str(j): g for j, g in spectrum.gains.items()},
-        share_of_excess=_share(found, found.heldout) * gain / (gain + named),
+        share_of_excess=share_removed(found.heldout, found.noise.sigma) * gain / (gain + named),
         indistinguishable_from=(),
         moves_mm=most_moved(found.final, spectrum.terms),
         advice=load_effect(wave()).ADVICE,

@@ -10,6 +10,7 @@ import dataclasses
 import itertools
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -50,21 +51,15 @@ STEP = 1e-3  # of a constant, by which its derivative is taken
 # ------------------------------------------------------------------------------------------------- two explanations
 
 
-@dataclass(frozen=True)
-class Proposal:
-    """Readings that answer a question, the most telling ones first, and what they are expected to make.
+class Proposal(NamedTuple):
+    """Readings that answer a question, the most telling ones first; `further` is for those who can measure more.
 
-    `gained` is the difference in chi2 of the first n of `rows` and of `further`, for those who can measure more.
+    `gained` is the difference in chi2 that the first n of both are expected to make.
     """
 
     rows: list[Row]
-    gained: tuple[float, ...] = ()
-    further: list[Row] = dataclasses.field(default_factory=list)
-
-    @property
-    def expected(self) -> float:
-        """The difference that the rows make."""
-        return self.gained[len(self.rows) - 1] if self.rows else 0.0
+    further: list[Row]
+    gained: tuple[float, ...]
 
 
 class Pool:
@@ -105,7 +100,7 @@ class Pool:
             Other effects that are on the machine whichever holds.
         """
         if not len(self.found.ends):
-            return Proposal([])
+            return Proposal([], [], ())
         duels = self.against(rival, truth, self._spread(truth), beside)
         if rival is not None and not rival.gaps:
             first = self._old[0].shape[-1]
@@ -113,7 +108,7 @@ class Pool:
             duels += self.against(truth, rival, alike, beside)
         design = choose(duels, FEWEST_POSES, MOST_ALONE if rival is None else MOST_POSES, CLEAR, FURTHER)
         rows = self.found.to_rows(design.order)
-        return Proposal(rows[: design.needed], design.gained, rows[design.needed :])
+        return Proposal(rows[: design.needed], rows[design.needed :], design.gained)
 
     def against(self, wrong: Term | None, truth: Term, coefficients: Array, beside: Sequence[Term]) -> list[Duel]:
         """Return what fails where an effect, with coefficients on all limbs, is the truth: a wrong one, or nothing.
@@ -281,8 +276,8 @@ def more_poses(problem: Problem) -> NextMeasurement:
 def _entry(found: Proposal, truth: Term, rival: Term | None, problem: Problem) -> NextMeasurement:
     terms = [truth, *([rival] if rival else [])]
     names = tuple(t.effect.removeprefix(PREFIX) for t in terms)
-    read, promising = columns_read(problem, terms), found.expected >= LEAST
-    if promising:
+    read, expected = columns_read(problem, terms), found.gained[len(found.rows) - 1] if found.rows else 0.0
+    if promising := expected >= LEAST:
         text = words.measure(len(found.rows), [name for name in read if name in found.rows[0]])
     else:
         missing = [name for name in read if name not in problem.recording.channels]
@@ -293,7 +288,7 @@ def _entry(found: Proposal, truth: Term, rival: Term | None, problem: Problem) -
         why=words.purpose(*names),
         text=text,
         poses=tuple(in_time(found.rows, problem.recording)) if promising else (),
-        expected_chi2=max(found.expected, 0.0),  # rounding may leave less
+        expected_chi2=max(expected, 0.0),  # rounding may leave less
         separates=names,
         chi2_by_pose=found.gained if promising else None,
         further=tuple(found.further) if promising else None,

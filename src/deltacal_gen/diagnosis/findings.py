@@ -166,11 +166,16 @@ def named_of(
             gain = alone.gain(alone.where(term))
             at_others = alone.elsewhere(term) if of is None else {}
             out.append(Named(term, std, gain, 1.0, others, unrecorded, score, of_constant, lead, of, at_others))
-    # of the held-out variance above noise, each in proportion to what is lost without it
-    before, after = heldout
-    removed = float(np.clip((before**2 - after**2) / max(before**2 - sigma**2, 1e-300), 0.0, 1.0))
+    # each in proportion to what is lost without it
     total = sum(n.gain for n in out) + (sum(spectrum.gains.values()) if spectrum else 0.0)
-    return tuple(dataclasses.replace(n, share=removed * n.gain / max(total, 1e-300)) for n in out)
+    share = share_removed(heldout, sigma) / max(total, 1e-300)
+    return tuple(dataclasses.replace(n, share=share * n.gain) for n in out)
+
+
+def share_removed(heldout: tuple[float, float], sigma: float) -> float:
+    """Return which part of the held-out variance above noise something removes; errors [mm] without and with it."""
+    before, after = heldout
+    return float(np.clip((before**2 - after**2) / max(before**2 - sigma**2, 1e-300), 0.0, 1.0))
 
 
 def _is_as_well(rival: Term, own: Term) -> bool:

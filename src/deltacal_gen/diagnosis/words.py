@@ -69,7 +69,7 @@ def _adequate(found: Diagnosed, answer: Diagnosis) -> Sequence[str]:
     asked = found.final.problem.names and not found.redrawn
     vain = needless(filed_rms(found.final), before) if asked else ""
     return (
-        f"No model error {'proven' if suspected else 'found'}: the calibrated geometry leaves {decimals(before)} mm on "
+        f"No model error {'proven' if suspected or drifting(found) else 'found'}: the calibrated geometry leaves {decimals(before)} mm on "
         "held-out readings.",
         _residual_is(found),
         vain or "Use the calibrated machine.",
