@@ -62,31 +62,29 @@ class Candidates:
     first: int = 1
 
     def to_rows(self, chosen: Sequence[int]) -> list[Row]:
-        """Return readings as rows of a recording; a distance holds the joints of both its ends."""
+        """Return readings as rows of a recording."""
         recording = self.problem.recording
-        rows = []
-        for n, j in enumerate(chosen):
-            row: Row = {"pose": f"{LABEL}{self.first + n}"}
-            ends = self.ends[j].tolist()
-            for end, k in zip(("a", "b") if len(ends) == 2 else ("",), ends, strict=True):
-                row |= joints_of(recording, k, end)
-            if len(recording.setup_names) > 1:
-                row["setup"] = recording.setup_names[recording.setup[ends[0]]]
-            if recording.contact is not None:
-                row["contact"] = str(recording.contact[ends[0]])
-            if recording.tool is not None:
-                row |= {f"tool_{a}_mm": float(v) for a, v in zip("xyz", recording.tool[ends[0]], strict=True)}
-            values = {name: float(recording.channels[name][ends[0]]) for name in self.shown}
-            row |= {name: value for name, value in values.items() if np.isfinite(value)}
-            rows.append(row)
-        return rows
+        return [row_of(recording, self.ends[j].tolist(), self.first + n, self.shown) for n, j in enumerate(chosen)]
 
 
-def joints_of(recording: Recording, row: int, end: str = "") -> dict[str, float]:
-    """Return the joints of a row by their columns, of one end of a distance, as precise as controllers take them."""
-    q, unit = recording.joints[row].tolist(), recording.joint_unit
-    names = joint_names(unit, len(q), f"q{{i}}{end}_{{unit}}")
-    return {name: round(to_file(v, u), DECIMALS) for name, v, u in zip(names, q, of_joints(unit, len(q)), strict=True)}
+def row_of(recording: Recording, ends: Sequence[int], number: int, shown: Sequence[str] = ()) -> Row:
+    """Return a reading at rows of a recording as a row to measure; a distance holds the joints of both its ends.
+
+    Joints are as precise as controllers take them.
+    """
+    first, unit = ends[0], recording.joint_unit
+    row: Row = {"pose": f"{LABEL}{number}"}
+    for end, k in zip(("a", "b") if len(ends) == 2 else ("",), ends, strict=True):
+        q = list(map(to_file, recording.joints[k].tolist(), of_joints(unit, recording.joints.shape[1])))
+        row |= zip(joint_names(unit, len(q), f"q{{i}}{end}_{{unit}}"), np.round(q, DECIMALS).tolist(), strict=True)
+    if len(recording.setup_names) > 1:
+        row["setup"] = recording.setup_names[recording.setup[first]]
+    if recording.contact is not None:
+        row["contact"] = str(recording.contact[first])
+    if recording.tool is not None:
+        row |= {f"tool_{a}_mm": float(v) for a, v in zip("xyz", recording.tool[first], strict=True)}
+    values = {name: float(recording.channels[name][first]) for name in shown}
+    return row | {name: value for name, value in values.items() if np.isfinite(value)}
 
 
 def candidates(at: Fit, terms: Sequence[Term], rng: np.random.Generator) -> Candidates:
@@ -155,11 +153,9 @@ def _drawn(at: Fit, tool: Array, rng: np.random.Generator) -> Array:
     if space is None or mechanism.many_ways:
         return anywhere
     depth, out = rng.random(CANDIDATES), rng.random(CANDIDATES)
+    across = (space.width or 0.0) * (out - 0.5)
     if space.radius is not None:
-        angle = 2 * np.pi * rng.random(CANDIDATES)
-        across = about_z(space.radius * np.sqrt(out), angle)
-    else:
-        across = (space.width or 0.0) * (out - 0.5)
+        across = about_z(space.radius * np.sqrt(out), 2 * np.pi * rng.random(CANDIDATES))
     targets = turned(robot, space.place(across, depth))
     q, _, status = mechanism.inverse(targets, tool, mechanism.rows(robot, at.errors[: len(mechanism.parameters)]))
     solved = status == SOLVED

@@ -16,13 +16,12 @@ import numpy as np
 
 from deltacal_gen.diagnosis import words
 from deltacal_gen.diagnosis.candidates import (
-    LABEL,
     candidates,
     columns_read,
     first_label,
     in_time,
-    joints_of,
     levels_of,
+    row_of,
     within_limits,
 )
 from deltacal_gen.diagnosis.designs import Duel, choose
@@ -361,8 +360,8 @@ def _at_levels(problem: Problem, channel: str, levels: Sequence[float] | Array |
         gap = np.min([np.linalg.norm(recording.joints[used] - recording.joints[k], axis=1) for k in far], axis=0)
         far.append(int(used[int(np.argmax(gap))]))
     first = first_label(recording)
-    rows: list[Row] = [
-        {"pose": f"{LABEL}{first + n}"} | joints_of(recording, k) | {channel: float(level)}
+    rows = [
+        row_of(recording, [k], first + n) | {channel: float(level)}
         for level in (() if levels is None else levels)
         for n, k in enumerate(far)
     ]

@@ -68,9 +68,9 @@ def _adequate(found: Diagnosed, answer: Diagnosis) -> Sequence[str]:
     suspected = _suspected(answer)
     asked = found.final.problem.names and not found.redrawn
     vain = needless(filed_rms(found.final), before) if asked else ""
+    sure = "proven" if suspected or drifting(found) else "found"
     return (
-        f"No model error {'proven' if suspected or drifting(found) else 'found'}: the calibrated geometry leaves {decimals(before)} mm on "
-        "held-out readings.",
+        f"No model error {sure}: the calibrated geometry leaves {decimals(before)} mm on held-out readings.",
         _residual_is(found),
         vain or "Use the calibrated machine.",
         suspected,
