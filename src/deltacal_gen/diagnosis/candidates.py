@@ -105,7 +105,8 @@ def candidates(at: Fit, terms: Sequence[Term], rng: np.random.Generator) -> Cand
     touched = at.instrument.kind.points(at.instrument, recording)
     which = rng.integers(len(touched), size=CANDIDATES) if touched else None
     if which is not None:
-        joints = _touching(at, np.array([p.position_mm for p in touched])[which], tool, joints)
+        joints, there = _leading_to(at, np.array([p.position_mm for p in touched])[which], tool, joints)
+        joints[~(there & _between(joints, *_joint_range(problem)))] = np.nan
     unit = np.array(joint_factors(recording.joint_unit, joints.shape[1]))
     joints = np.round(joints / unit, DECIMALS) * unit
     channels = {name: _given(values)[like] for name, values in recording.channels.items()}
@@ -147,36 +148,31 @@ def _drawn(at: Fit, tool: Array, rng: np.random.Generator) -> Array:
     between their limits.
     """
     problem = at.problem
-    robot, mechanism, space = problem.robot, problem.mechanism, problem.robot.workspace
+    robot, space = problem.robot, problem.robot.workspace
     lower, upper = _joint_range(problem)
     anywhere: Array = lower + rng.random((CANDIDATES, len(lower))) * (upper - lower)
-    if space is None or mechanism.many_ways:
+    if space is None or problem.mechanism.many_ways:
         return anywhere
     depth, out = rng.random(CANDIDATES), rng.random(CANDIDATES)
     across = (space.width or 0.0) * (out - 0.5)
     if space.radius is not None:
         across = about_z(space.radius * np.sqrt(out), 2 * np.pi * rng.random(CANDIDATES))
-    targets = turned(robot, space.place(across, depth))
-    q, _, status = mechanism.inverse(targets, tool, mechanism.rows(robot, at.errors[: len(mechanism.parameters)]))
-    solved = status == SOLVED
-    return np.where(solved[:, None], robot.joint_sign * np.nan_to_num(q), anywhere)
+    joints, there = _leading_to(at, turned(robot, space.place(across, depth)), tool, anywhere)
+    return np.where(there[:, None], joints, anywhere)
 
 
-def _touching(at: Fit, places: Array, tool: Array, near: Array) -> Array:
-    """Return joints (C, n_q) at which points (C, 3) are touched, near those given; nan where there are none.
+def _leading_to(at: Fit, places: Array, tool: Array, near: Array) -> tuple[Array, np.ndarray]:
+    """Return joints (C, n_q) at which a machine stands at places, and where there are such.
 
-    A chain turns about a point as its joints stand; other machines come to it in one way.
+    A chain turns about a place (C, 3) as its joints stand, given those near; other machines come to it in one way.
     """
-    problem, mechanism, sign = at.problem, at.problem.mechanism, at.problem.robot.joint_sign
-    rows = mechanism.rows(problem.robot, at.errors[: len(mechanism.parameters)])
+    mechanism, sign = at.problem.mechanism, at.problem.robot.joint_sign
+    rows = mechanism.rows(at.problem.robot, at.errors[: len(mechanism.parameters)])
     if mechanism.many_ways:
         q, status = mechanism.follow(places, sign * near, tool, rows)
     else:
         q, _, status = mechanism.inverse(places, tool, rows)
-    lower, upper = _joint_range(problem)
-    joints = sign * q
-    there = (status == SOLVED) & _between(joints, lower, upper)
-    return np.where(there[:, None], joints, np.nan)
+    return sign * np.nan_to_num(q), status == SOLVED
 
 
 def within_limits(problem: Problem) -> bool:

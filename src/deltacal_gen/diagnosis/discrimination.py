@@ -287,7 +287,7 @@ def _entry(found: Proposal, truth: Term, rival: Term | None, problem: Problem) -
         why=words.purpose(*names),
         text=text,
         poses=tuple(in_time(found.rows, problem.recording)) if promising else (),
-        expected_chi2=max(expected, 0.0),  # rounding may leave less
+        expected_chi2=max(0.0, expected),  # rounding may leave less
         separates=names,
         chi2_by_pose=found.gained if promising else None,
         further=tuple(found.further) if promising else None,
