@@ -133,7 +133,9 @@ def candidates(at: Fit, terms: Sequence[Term], rng: np.random.Generator) -> Cand
     wanted = kind.readings(rows, np.arange(CANDIDATES)) if touched else kind.unread(rows)
     whole = dataclasses.replace(problem, recording=rows, body=body, readings=wanted)
     machine, status = body.solve(whole.split(at.errors)[0], whole.acting(at.errors))
-    usable = np.ones(CANDIDATES, dtype=bool) if robot.joint_limits is None else _between(joints, *robot.joint_limits.T)
+    usable: np.ndarray = (
+        np.ones(CANDIDATES, dtype=bool) if robot.joint_limits is None else _between(joints, *robot.joint_limits.T)
+    )
     if not whole.readings.kind.sees_joints:  # else joints are within their limits, wherever that leads
         usable &= (status == SOLVED) & _inside(problem, machine.x)
     whole = whole.subset(np.flatnonzero(usable[whole.readings.rows].all(axis=1)))
@@ -211,8 +213,7 @@ def _given(values: Array) -> Array:
 
 def _between(values: Array, low: Array, high: Array) -> np.ndarray:
     """Tell which rows (N,) of values (N, k) lie between two ends (k,)."""
-    inside: np.ndarray = ((values >= low) & (values <= high)).all(axis=1)
-    return inside
+    return np.asarray(((values >= low) & (values <= high)).all(axis=1))
 
 
 def levels_of(problem: Problem, name: str, curved: bool) -> Array | None:

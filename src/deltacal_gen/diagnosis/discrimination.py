@@ -269,7 +269,11 @@ def next_measurements(
 def more_poses(problem: Problem) -> NextMeasurement:
     """Return the advice to measure as many poses again as there are: what a recording that is too short needs."""
     count = len(np.unique(problem.readings.group))
-    return NextMeasurement(**words.more_poses(count), poses=(), expected_chi2=None)
+    return _advice(*words.more_poses(count))
+
+
+def _advice(why: str, text: str, poses: Sequence[Row] = ()) -> NextMeasurement:
+    return NextMeasurement(why=why, text=text, poses=tuple(poses), expected_chi2=None)
 
 
 def _entry(found: Proposal, truth: Term, rival: Term | None, problem: Problem) -> NextMeasurement:
@@ -332,7 +336,7 @@ def _exploring(at: Fit, location: Location, rng: np.random.Generator) -> NextMea
     """Return readings that show more of a misfit that nothing explains: where it sits, along what it depends on."""
     problem, recording = at.problem, at.problem.recording
     if recording.joints.shape[1] == 1 and np.isfinite(problem.readings.values).any(axis=0).sum() == 1:
-        return NextMeasurement(**words.AXIS_OR_INSTRUMENT, poses=(), expected_chi2=None)
+        return _advice(*words.AXIS_OR_INSTRUMENT)
     channel = location.channels[0].name if location.channels else ""
     poses: Sequence[Row] = ()
     if location.region is None and channel in recording.channels:
@@ -349,7 +353,7 @@ def _exploring(at: Fit, location: Location, rng: np.random.Generator) -> NextMea
         rows = found.to_rows(chosen)
         poses = in_time([{k: v for k, v in row.items() if k != TIME} for row in rows], recording)  # one after the other
     text = words.explore(problem.robot, channel if poses else "", location, channel in recording.channels)
-    return NextMeasurement(why=words.EXPLORES, text=text, poses=tuple(poses), expected_chi2=None)
+    return _advice(words.EXPLORES, text, poses)
 
 
 def _at_levels(problem: Problem, channel: str, levels: Sequence[float] | Array | None, count: int) -> tuple[Row, ...]:

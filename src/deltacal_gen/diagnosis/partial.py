@@ -85,4 +85,5 @@ def _at_joint(final: Fit, limb: int) -> tuple[Array, str]:
     dx = problem.displacements(final.machine)[:, :, : mechanism.limbs]
     by_joints, _ = final.instrument.linearise(problem.readings, problem.seen(final.machine), dx)
     unit = mechanism.joint_units[limb - 1]
-    return np.linalg.pinv(by_joints[:, :3])[:, limb - 1] / to_internal(unit), file_unit(unit)
+    along = np.linalg.pinv(by_joints[:, :3])[:, limb - 1].astype(np.float64)
+    return along / to_internal(unit), file_unit(unit)

@@ -341,19 +341,19 @@ def _periods(own: JointFunction, places: Places) -> str:
 
 
 EXPLORES = "shows more of what no effect explains"
-AXIS_OR_INSTRUMENT = {
-    "why": "separates a profile of the axis from the instrument's own non-linearity",
-    "text": "Such readings show both alike. Turn the instrument round, or shift it along the axis, and repeat: what "
-    "moves with it is its own, what stays is the axis'.",
-}
+AXIS_OR_INSTRUMENT = (
+    "separates a profile of the axis from the instrument's own non-linearity",
+    "Such readings show both alike. Turn the instrument round, or shift it along the axis, and repeat: what moves with "
+    "it is its own, what stays is the axis'.",
+)
 
 
-def more_poses(count: int) -> dict[str, str]:
+def more_poses(count: int) -> tuple[str, str]:
     """Return why and what to measure where readings are too few."""
     text = (
         f"Measure at least {count} more readings at other poses, all over the workspace: deltacal plan proposes them."
     )
-    return {"why": "lets lesser effects show", "text": text}
+    return "lets lesser effects show", text
 
 
 def purpose(name: str, rival: str = "") -> str:

@@ -107,9 +107,12 @@ def _parts(terms: Sequence[LawTerm]) -> list[_Part]:
             linear = c.name in law.formula.linear
             names[c.name] = f"{'c' if linear else 'K'}{next(count)}"
             of[linear][names[c.name]] = c.value, units[c.name]
-        formula = _NAME.sub(lambda m, names=names: _written(m[0], names), term.expression)
-        out.append(_Part(term, law, formula, of[True], of[False]))
+        out.append(_Part(term, law, _in_python(term.expression, names), of[True], of[False]))
     return out
+
+
+def _in_python(expression: str, names: Mapping[str, str]) -> str:
+    return _NAME.sub(lambda m: _written(m[0], names), expression)
 
 
 def _written(word: str, names: Mapping[str, str]) -> str:

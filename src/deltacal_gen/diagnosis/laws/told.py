@@ -43,9 +43,12 @@ def _law(law: Lawful, at: Fit, alike: tuple[str, ...]) -> Law:
     terms = terms_of(at)
     every = [i for i, t in enumerate(terms) if is_law(t.effect)]
     own, rest = list(zip(every, law.unsure, strict=False)), every[len(law.law) :]
-    modules = [(load_law(terms[i].effect), terms[i].constants) for i, _ in own]
-    ends = [(s, *map(float, e)) for m, constants in modules for s, e in zip(m.STATE, m.ends(constants), strict=True)]
-    limits = {s: (min(e[1] for e in ends if e[0] == s), max(e[2] for e in ends if e[0] == s)) for s, *_ in ends}
+    limits: dict[str, tuple[float, float]] = {}
+    for i, _ in own:
+        module = load_law(terms[i].effect)
+        for state, (low, high) in zip(module.STATE, module.ends(terms[i].constants).tolist(), strict=True):
+            least, most = limits.get(state, (low, high))
+            limits[state] = min(least, low), max(most, high)
     curves = [(n, _curve(at, i, rest, unsure)) for n, (i, unsure) in enumerate(own)]
     drawn = tuple(curve.replace(term=n) for n, curve in curves if curve is not None)
     return Law(
@@ -135,7 +138,8 @@ def _curve(at: Fit, i: int, rest: Sequence[int], unsure: Unsure) -> LawCurve | N
     def along(values: Array) -> dict[str, Array]:
         return {first: values} | {s: np.full(len(values), v) for s, v in middle.items()}
 
-    grid, level = along(np.linspace(*law.ends(term.constants)[0], POINTS)), along(seen[first])
+    low, high = law.ends(term.constants)[0]
+    grid, level = along(np.linspace(low, high, POINTS)), along(seen[first])
     # with several states a reading is shown as it would be at the medians of the others
     now, shown = drawn.value(seen), drawn.value(level)
     ratio = np.divide(shown, now, out=np.ones_like(now), where=np.abs(now) > 1e-3 * np.abs(now).max())
