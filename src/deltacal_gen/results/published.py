@@ -12,7 +12,9 @@ import inspect
 import json
 import sys
 from pathlib import Path
-from typing import Any, get_args
+from typing import Any
+
+from pydantic.json_schema import GenerateJsonSchema
 
 from deltacal_gen.results.base import Value, keys_of
 from deltacal_gen.results.reader import ANSWERS, types_of
@@ -33,52 +35,40 @@ def published() -> dict[str, str]:
 
 def schema_of(schema: str) -> dict[str, Any]:
     """Return the JSON schema of the answers with a `schema`, described as their types are."""
-    tops: list[dict[str, Any]] = []
-    every: dict[str, Any] = {}
-    for top in types_of(schema):
-        made = top.model_json_schema()
-        parts = {**made.pop("$defs", {}), top.__name__: made}
-        described = {name: _described(parts[name], kind) for name, kind in kinds_in(top).items() if name in parts}
-        tops.append(described.pop(top.__name__))
-        every |= {name: described.get(name, _untitled(part)) for name, part in parts.items() if name != top.__name__}
+    tops = [top.model_json_schema(schema_generator=Described) for top in types_of(schema)]
+    parts = {name: part for top in tops for name, part in top.pop("$defs", {}).items()}
     whole = tops[0] if len(tops) == 1 else {"anyOf": tops}
-    return {"$schema": DRAFT, "$id": schema, **whole, **({"$defs": dict(sorted(every.items()))} if every else {})}
+    return {"$schema": DRAFT, "$id": schema, **whole, **({"$defs": dict(sorted(parts.items()))} if parts else {})}
 
 
-def kinds_in(top: Any) -> dict[str, type]:
-    """Return all types that a type is made of, by their names."""
-    if not isinstance(top, type):
-        return {name: kind for part in get_args(top) for name, kind in kinds_in(part).items()}
-    found: dict[str, type] = {top.__name__: top}
-    for field in top.model_fields.values() if issubclass(top, Value) else ():
-        found |= kinds_in(field.annotation)
-    return found
+class Described(GenerateJsonSchema):
+    """JSON schemas with the words of types and fields; without titles, defaults, and nulls that are left out."""
 
+    def field_title_should_be_set(self, schema: Any) -> bool:
+        """No field has a title beside its key."""
+        return False
 
-def _described(part: dict[str, Any], kind: type) -> dict[str, Any]:
-    """Return a part of a schema with the words of its type and of its fields, without pydantic's titles."""
-    told = {"description": inspect.cleandoc(kind.__doc__ or "")}
-    said = {name: words for of in reversed(kind.__mro__) if issubclass(of, Value) for name, words in _said(of).items()}
-    keys: dict[str, Any] = {}
-    for name in kind.model_fields if issubclass(kind, Value) else ():
-        choices = keys_of(name)
-        keys |= {key: _untitled(_present(part["properties"][choices[0]])) | said.get(name, {}) for key in choices}
-    out = told | _untitled(part) | ({"properties": keys} if keys else {})
-    if "schema" in keys:
-        out["required"] = [name for name in keys if name in ("schema", *out["required"])]
-    return out
+    def default_schema(self, schema: Any) -> Any:
+        """Return the schema of a field with a default as it is written: where that is null, not at all."""
+        inner = schema["schema"]
+        return self.generate_inner(inner["schema"] if schema.get("default", "") is None else inner)
 
-
-def _present(key: dict[str, Any]) -> dict[str, Any]:
-    """Return the schema of a field whose default is null as it is written, which it is where it is not null."""
-    if "default" not in key or key["default"] is not None:
-        return key
-    some = [part for part in key["anyOf"] if part != {"type": "null"}]
-    return some[0] if len(some) == 1 else {"anyOf": some}
-
-
-def _untitled(part: dict[str, Any]) -> dict[str, Any]:
-    return {key: value for key, value in part.items() if key not in ("title", "description", "default")}
+    def model_schema(self, schema: Any) -> Any:
+        """Return the schema of a type: under all its keys what stands below its fields, its own or inherited ones."""
+        made, kind = super().model_schema(schema), schema["cls"]
+        said = {
+            name: words for of in reversed(kind.__mro__) if issubclass(of, Value) for name, words in _said(of).items()
+        }
+        keys = {key: (name, keys_of(name)[0]) for name in kind.model_fields for key in keys_of(name)}
+        found = made["properties"]
+        out = {
+            "description": made["description"],
+            **{key: value for key, value in made.items() if key not in ("description", "title")},
+            "properties": {key: found[first] | said.get(name, {}) for key, (name, first) in keys.items()},
+        }
+        if "schema" in keys:
+            out["required"] = [key for key in keys if key in ("schema", *out["required"])]
+        return out
 
 
 @functools.cache
