@@ -24,7 +24,6 @@ from deltacal_gen.motion.trajectories import Motion, Trajectories
 from deltacal_gen.physics.splines import LOOSE
 from deltacal_gen.results.diagnosis import NextMeasurement
 from deltacal_gen.results.motion import (
-    Derivatives,
     JointModel,
     KnownMachine,
     Left,
@@ -32,7 +31,7 @@ from deltacal_gen.results.motion import (
     PayloadState,
     TorqueTerm,
 )
-from deltacal_gen.results.parts import Source
+from deltacal_gen.results.parts import Derivatives, Source
 from deltacal_gen.units import DEG
 
 if TYPE_CHECKING:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Literal
 
-from deltacal_gen.results.base import Answer, Value, shown_in
+from deltacal_gen.results.base import Value, shown_in
 from deltacal_gen.results.document import Document, Table, Text, decimals
-from deltacal_gen.results.parts import Made
+from deltacal_gen.results.parts import Made, OfReadings
 from deltacal_gen.results.validation import Iso230, Iso9283, Placed
 
 
@@ -73,7 +73,7 @@ class Condition(Value):
     unit: str
 
 
-class Certificate(Answer):
+class Certificate(OfReadings):
     """What is certified of a machine: its errors before and after, and how surely they are known."""
 
     schema_: Literal["deltacal.certificate/1"] = "deltacal.certificate/1"
@@ -99,10 +99,6 @@ class Certificate(Answer):
     placed: tuple[Placed, ...]
     iso9283: Iso9283 | None
     iso230: Iso230 | None
-    unit: str | None = None
-    """Of the readings, where they are no lengths: px, deg. Each of their figures stands in this unit beside mm."""
-    unit_mm: float | None = None
-    """What one unit is at the platform."""
     fitted: Made | None
     """Of what the calibration itself was made."""
     made: Made

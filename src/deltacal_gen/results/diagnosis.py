@@ -11,16 +11,14 @@ from deltacal_kernels.effects import ORDERS
 from deltacal_gen.results.base import Answer, Column, Counts, Rows, Value, shown_in
 from deltacal_gen.results.document import Document, Table, Text, decimals, number, rounded
 from deltacal_gen.results.parts import (
-    InstrumentState,
+    AtRest,
     MachineState,
     Made,
     Missing,
     NoiseModel,
     RobotTables,
-    SeriesMade,
     Source,
     TermState,
-    Uncertainty,
     put_right,
 )
 from deltacal_gen.results.result import Parameter
@@ -54,15 +52,12 @@ class Final(Value):
     chi2_per_dof: float
 
 
-class Baseline(Value):
+class Baseline(Final):
     """What geometry alone leaves."""
 
     model: str
     parameters: int | None = None
     """How many source errors are free in it."""
-    train_rms_mm: float
-    heldout_rms_mm: float | None
-    chi2_per_dof: float
 
 
 class Channel(Value):
@@ -421,7 +416,7 @@ class Diagnosed(Answer):
         return f"{self.verdict.replace('_', ' ')}: {self.summary}"
 
 
-class Diagnosis(Diagnosed):
+class Diagnosis(Diagnosed, AtRest):
     """Where model and recording differ and which physics was left out: contract, section 4."""
 
     noise: NoiseLevel
@@ -431,7 +426,6 @@ class Diagnosis(Diagnosed):
     rejected: tuple[Rejected, ...]
     correction: SmoothCorrection | None
     residuals: Residuals
-    sigma_mm: float
     physics: tuple[TermState, ...]
     """All that acts, in the order of `effects`; a periodic error of many orders is as many terms."""
     seen: Seen | None
@@ -439,20 +433,9 @@ class Diagnosis(Diagnosed):
     """By what a moment was found: the time, or the row."""
     poses: tuple[int, ...] | None = None
     """Numbers of the poses, row by row, where a moment was found by its row and poses are numbered as measured."""
-    begun_s: float = 0.0
-    """From when effects count the time [s]: 0, or the first reading where stamps count from long before it."""
-    instrument: InstrumentState
-    uncertainty: Uncertainty | None = None
-    """Null in answers written before it was told."""
-    unit: str | None = None
-    """Of the readings, where they are no lengths: px, deg. Each of their figures stands in this unit beside mm."""
-    unit_mm: float | None = None
-    """What one unit is at the platform."""
     parameters: tuple[Parameter, ...] | None = None
     """What is unknown of the instrument and has a name."""
     geometry: Geometry | None = None
-    motion: SeriesMade | None = None
-    """Of a recording in motion."""
     turned: str | None = None
     """What would explain the most if the direction of approach counted the other way, in words; null for none."""
     laws: tuple[Law, ...] = ()

@@ -12,7 +12,7 @@ from typing import ClassVar, Literal
 from deltacal_gen.results.base import Answer, Column, Numbers, Value
 from deltacal_gen.results.diagnosis import Diagnosed, Effect, EffectParameter, LawOf, NextMeasurement, Rejected
 from deltacal_gen.results.document import Document, Text
-from deltacal_gen.results.parts import RobotTables, Source, put_right
+from deltacal_gen.results.parts import Derivatives, RobotTables, Source, put_right
 from deltacal_gen.results.result import Identified, OpenCombination, Parameter
 from deltacal_gen.results.validation import Validated
 
@@ -50,24 +50,6 @@ class MotionNoise(Value):
     """What the robot file's tolerances add that neither bodies nor friction take up; null where it says none."""
     together_by_joint: ByJoint
     """So many samples tell as much as one whose noise is its own."""
-
-
-class Derivatives(Value):
-    """How velocities and accelerations were made of the joints."""
-
-    cutoff_Hz: float | None
-    removed: float
-    """Part of the joints' signal, rms of its variation, that the low-pass takes away."""
-    text: str
-    filter: str
-    """What was filtered beside the joints."""
-    at_rest: tuple[int, ...]
-    """Samples of each joint that were set aside, since friction at rest is not known."""
-    at_rest_below: tuple[float, ...]
-    """Speed of each joint below which it counts as at rest [deg/s or mm/s]."""
-    held_out: str
-    repairs: tuple[str, ...]
-    """What was put right in the file, with its line."""
 
 
 class TorqueTerm(Value):
@@ -244,7 +226,7 @@ class MotionModel(Answer):
     @property
     def has_law(self) -> bool:
         """Whether a joint has a law that nobody has registered."""
-        return False
+        return bool(getattr(self, "laws", ()))
 
     def document(self) -> Document:
         """Yield headline and table, and what was put right in the recording."""
@@ -314,11 +296,6 @@ class MotionDiagnosis(Diagnosed, MotionModel):
     rejected: tuple[TorqueRejected, ...]
     laws: tuple[TorqueLaw, ...] = ()
     """At most one: of every joint that has one a term or more, each at its joint."""
-
-    @property
-    def has_law(self) -> bool:
-        """Whether a joint has a law that nobody has registered."""
-        return bool(self.laws)
 
     def table(self) -> tuple[RungOf, ...]:
         """Return the rungs, joint by joint, the one that buys most first."""

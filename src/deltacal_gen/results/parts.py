@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from enum import StrEnum
-from typing import Any, Literal
+from typing import Any, ClassVar, Literal
 
-from deltacal_gen.results.base import Numbers, Rows, Value, Vector
+from deltacal_gen.results.base import Answer, Numbers, Rows, Value, Vector
 from deltacal_gen.results.document import decimals
 from deltacal_gen.results.places import Places, part_named
 
@@ -92,18 +92,10 @@ class InstrumentState(Value):
 class Undiagnosed(Value):
     """What only a diagnosis knows, for those who read a machine whoever found it."""
 
-    @property
-    def correction(self) -> None:
-        """No smooth correction."""
-
-    @property
-    def clock(self) -> Literal["time_s", "row"]:
-        """Moments are found by the time."""
-        return "time_s"
-
-    @property
-    def poses(self) -> None:
-        """No numbers of poses."""
+    correction: ClassVar[None] = None
+    clock: ClassVar[Literal["time_s", "row"]] = "time_s"  # by which moments are found
+    poses: ClassVar[None] = None
+    seen: ClassVar[None] = None  # joints with a periodic error of their own
 
 
 class MachineState(Undiagnosed):
@@ -112,11 +104,7 @@ class MachineState(Undiagnosed):
     robot: RobotTables
     physics: tuple[TermState, ...]
     instrument: InstrumentState
-
-    @property
-    def begun_s(self) -> float:
-        """From when effects count the time [s]."""
-        return 0.0
+    begun_s: ClassVar[float] = 0.0  # from when effects count the time
 
 
 class Missing(Value):
@@ -208,6 +196,18 @@ class SeriesMade(Value):
     """What was put right in the file, with its line."""
 
 
+class Derivatives(SeriesMade):
+    """How velocities and accelerations were made of the joints, where drives are read."""
+
+    filter: str
+    """What was filtered beside the joints."""
+    at_rest: tuple[int, ...]
+    """Samples of each joint that were set aside, since friction at rest is not known."""
+    at_rest_below: tuple[float, ...]
+    """Speed of each joint below which it counts as at rest [deg/s or mm/s]."""
+    held_out: str
+
+
 class Uncertainty(Value):
     """How surely a machine and its instrument are known: what bands are made of."""
 
@@ -269,3 +269,25 @@ class NoiseModel(Value):
     degrees: float | None = None
     """Of freedom, of Student's distribution."""
     text: str
+
+
+class OfReadings(Answer):
+    """An answer whose figures are those of readings, in their unit."""
+
+    unit: str | None = None
+    """Of the readings, where they are no lengths: px, deg. Each of their figures stands in this unit beside mm."""
+    unit_mm: float | None = None
+    """What one unit is at the platform."""
+
+
+class AtRest(OfReadings):
+    """What is known of a machine at rest, whether it was identified or diagnosed."""
+
+    sigma_mm: float
+    instrument: InstrumentState
+    uncertainty: Uncertainty | None = None
+    """Null where an earlier version wrote the file."""
+    motion: SeriesMade | None = None
+    """Of a recording in motion."""
+    begun_s: float = 0.0
+    """From when effects count the time [s]: 0, or the first reading where stamps count from long before it."""

@@ -11,15 +11,20 @@ MOST_NOTES = 4  # that are shown
 Method = Literal["rings", "edges", "joints", "singular", "d-optimal"]
 
 
-class PlannedPose(Value):
-    """A pose to be measured; its joints under the key of their unit."""
+class JointsOf(Value):
+    """Joints under the key of their unit."""
 
-    target_mm: tuple[float, ...]
-    tool_mm: tuple[float, ...]
     joints_deg: tuple[float, ...] | None = None
     joints_mm: tuple[float, ...] | None = None
     joints: tuple[float, ...] | None = None
     """Of a machine that has joints of both kinds: deg and mm."""
+
+
+class PlannedPose(JointsOf):
+    """A pose to be measured; its joints under the key of their unit."""
+
+    target_mm: tuple[float, ...]
+    tool_mm: tuple[float, ...]
 
 
 class Deviation(Value):
@@ -118,13 +123,9 @@ class Plan(Planned):
         yield Text(f"chosen: {self.chosen}, {len(self.poses)} poses")
 
 
-class Visit(Value):
+class Visit(JointsOf):
     """A row to be measured: joints under the key of their unit, and from which side each of them comes."""
 
-    joints_deg: tuple[float, ...] | None = None
-    joints_mm: tuple[float, ...] | None = None
-    joints: tuple[float, ...] | None = None
-    """Of a machine that has joints of both kinds: deg and mm."""
     approach: tuple[int, ...]
     cycle: int | None = None
 

@@ -9,16 +9,14 @@ from typing import Literal
 from deltacal_gen.results.base import Answer, BlankRows, Counts, Numbers, Value, shown_in
 from deltacal_gen.results.document import Document, Table, Text, decimals, number, rounded
 from deltacal_gen.results.parts import (
+    AtRest,
     Continued,
-    InstrumentState,
     Made,
     Missing,
     NeverSeen,
     RobotTables,
-    SeriesMade,
     Source,
     TermState,
-    Uncertainty,
     Undiagnosed,
     needless,
     put_right,
@@ -205,7 +203,7 @@ class Identified(Answer):
     made: Made | None = None
 
 
-class Result(Identified, Undiagnosed):
+class Result(Identified, AtRest, Undiagnosed):
     """What a recording says of a machine: contract, section 6."""
 
     parameters: tuple[Parameter, ...]
@@ -221,7 +219,6 @@ class Result(Identified, Undiagnosed):
     train_rms_mm: float
     heldout_rms_mm: float | None
     """Of readings in folds that took no part in the fit."""
-    sigma_mm: float
     residual_sigma_mm: float | None = None
     gross_errors: tuple[int, ...] | None
     """Lines of the recording; null where none were searched for."""
@@ -236,26 +233,11 @@ class Result(Identified, Undiagnosed):
     physics_not_held: tuple[Missing, ...] | None = None
     continued: Continued | None = None
     """Null where the readings tell no more of the joints' periodic errors than the diagnosis."""
-    instrument: InstrumentState
-    uncertainty: Uncertainty | None = None
-    """Null where an earlier version wrote the file."""
-    unit: str | None = None
-    """Of the readings, where they are no lengths: px, deg. Each of their figures stands in this unit beside mm."""
-    unit_mm: float | None = None
-    """What one unit is at the platform."""
     firmware: Firmware | None = None
     never_seen: tuple[NeverSeen, ...] | None = None
     """Joints that stand where the readings of the diagnosis never were."""
-    motion: SeriesMade | None = None
-    """Of a recording in motion."""
-    begun_s: float = 0.0
-    """From when effects count the time [s]: 0, or the first reading where stamps count from long before it."""
     residuals: FitResiduals | None = None
     """Null in answers written before they were kept."""
-
-    @property
-    def seen(self) -> None:
-        """No joints with a periodic error of its own."""
 
     @property
     def headline(self) -> str:

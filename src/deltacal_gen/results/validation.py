@@ -6,7 +6,7 @@ from typing import Literal
 
 from deltacal_gen.results.base import Answer, Value, shown_in
 from deltacal_gen.results.document import Document, Text, decimals
-from deltacal_gen.results.parts import SEEN, Made, NeverSeen, put_right
+from deltacal_gen.results.parts import SEEN, Made, NeverSeen, OfReadings, put_right
 
 
 class Row(Value):
@@ -154,7 +154,7 @@ class Validated(Answer):
         yield from map(Text, (self.headline, *self.told, *put_right(self.repairs or ())))
 
 
-class Validation(Validated):
+class Validation(Validated, OfReadings):
     """The error of a calibrated or diagnosed model on readings that it has not seen."""
 
     rms_mm: float
@@ -169,10 +169,6 @@ class Validation(Validated):
     """Joints that stand beyond the turns at which a wave was read that was not seen to repeat."""
     rows: tuple[Row, ...]
     """The worst first."""
-    unit: str | None = None
-    """Of the readings, where they are no lengths: px, deg. Each of their figures stands in this unit beside mm."""
-    unit_mm: float | None = None
-    """What one unit is at the platform."""
     gross_errors: tuple[int, ...] | None = None
     """Lines of points that were found wrongly in images, which no figure counts; left out of other readings."""
     apart: Apart | None = None
