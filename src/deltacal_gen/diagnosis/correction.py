@@ -254,7 +254,7 @@ def borne_out_beside(at: Fit, left: Sequence[Structure]) -> BorneOut | None:
     # what is left out looked like gross errors where it is strongest
     r = linear.errors(sized, linear.step(sized), np.ones(len(found), dtype=bool))
     sigma = robust_sigma(r, np.zeros(found.kind.noises), True, found)
-    linear = Linear(at, parts, robust_weights(r, sigma, found.kind))
+    linear = Linear(dataclasses.replace(at, weights=robust_weights(r, sigma, found.kind)), parts)
     option, sized = _best(linear, options := _options(at, linear, variables))
     if option is None:
         return None

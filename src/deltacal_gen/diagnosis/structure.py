@@ -59,7 +59,7 @@ class Structure:
 
 def structures(at: Fit) -> list[Structure]:
     """Return what smooth terms along each channel explain of what a fit leaves, the strongest first."""
-    smooth = _Smooth(at)
+    smooth = Displaced(at, Beside(at))
     found = [smooth.along(name, functions, places) for name, (functions, places) in _bases(at.problem).items()]
     return sorted(found, key=lambda f: -f.earned)
 
@@ -116,9 +116,8 @@ def returning(at: Fit) -> tuple[float, float]:
 
 def smooth_columns(at: Fit, channel: str) -> Array:
     """Return whitened columns (scalars, n) of any smooth dependence on a channel, of the joints and of the reading."""
-    smooth = _Smooth(at)
-    functions, _ = _bases(at.problem)[channel]
-    most = max(len(smooth.residual) // (4 * smooth.directions), 1)
+    smooth, (functions, _) = Displaced(at, beside := Beside(at)), _bases(at.problem)[channel]
+    most = max(beside.readings // (4 * smooth.directions), 1)
     return smooth.modulated(functions[:, : min(SMOOTH, most)])
 
 
@@ -135,45 +134,39 @@ def by_instrument(at: Fit, beside: Beside, functions: Array) -> Array:
 
     It shifts and, where it reads positions, turns.
     """
-    problem, machine = at.problem, beside.machine
-    dx = problem.displacements(machine)[:, :, problem.mechanism.limbs :]
-    if problem.readings.kind.positions:
-        dx = np.concatenate([dx, _turns(machine.x, dx.shape[1])], axis=2)
-    J, _ = at.instrument.linearise(problem.readings, machine.x, dx)
-    return beside.rows((J[:, :, None] * functions[:, None, :, None]).reshape(*J.shape[:2], -1))
+    of_rows = np.zeros((len(at.machine.x), functions.shape[1]))
+    of_rows[at.problem.readings.rows[:, 0]] = functions
+    return Displaced(at, beside).columns(of_rows, at.problem.mechanism.limbs).reshape(beside.readings, -1)
 
 
-class _Smooth:
+class Displaced:
     """Displacements of each joint and of the reading, modulated by functions of the rows, beside all that is fitted.
 
     A reading of positions is displaced as the instrument moves, which shifts and turns: on a stand that creeps or was
     knocked, it does both.
     """
 
-    def __init__(self, at: Fit) -> None:
+    def __init__(self, at: Fit, beside: Beside) -> None:
         problem = at.problem
-        self._beside = Beside(at)
-        self._limbs = problem.mechanism.limbs
-        self._dx, self._seen = problem.displacements(self._beside.machine), problem.seen(self._beside.machine)
+        self._beside, self._limbs = beside, problem.mechanism.limbs
+        self._dx, self._seen = problem.displacements(beside.machine), problem.seen(beside.machine)
         if problem.readings.kind.positions:
-            self._dx = np.concatenate([self._dx, _turns(self._beside.machine.x, self._dx.shape[1])], axis=2)
-
-    @property
-    def residual(self) -> Array:
-        """What is left of the readings (scalars,), in standard deviations."""
-        return self._beside.residual
+            self._dx = np.concatenate([self._dx, _turns(beside.machine.x, self._dx.shape[1])], axis=2)
 
     @property
     def directions(self) -> int:
         """Number of joints and axes of the reading."""
         return int(self._dx.shape[2])
 
+    def columns(self, functions: Array, first: int = 0) -> Array:
+        """Return whitened columns (scalars, m, directions) of functions (N, m) of the rows, from a direction on."""
+        at, dx = self._beside.fit, self._dx[:, :, None, first:] * functions[:, None, :, None]
+        J, _ = at.instrument.linearise(at.problem.readings, self._seen, dx.reshape(*dx.shape[:2], -1))
+        return self._beside.rows(J).reshape(self._beside.readings, functions.shape[1], -1)
+
     def modulated(self, functions: Array) -> Array:
         """Return whitened unit columns (scalars, m * directions) of functions (N, m) of the rows."""
-        at = self._beside.fit
-        dx = self._dx[:, :, None] * functions[:, None, :, None]
-        J, _ = at.instrument.linearise(at.problem.readings, self._seen, dx.reshape(*dx.shape[:2], -1))
-        A = self._beside.rows(J)
+        A = self.columns(functions).reshape(self._beside.readings, -1)
         unit: Array = A / np.maximum(np.linalg.norm(A, axis=0), 1e-300)
         return unit
 

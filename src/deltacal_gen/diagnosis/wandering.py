@@ -17,7 +17,7 @@ import numpy as np
 from deltacal_gen.diagnosis.beside import Beside
 from deltacal_gen.diagnosis.charges import MARGIN, quantile
 from deltacal_gen.diagnosis.refits import terms_of
-from deltacal_gen.diagnosis.structure import by_instrument
+from deltacal_gen.diagnosis.structure import Displaced
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.inference.likelihood import MixedModel, unit_variance
@@ -79,18 +79,10 @@ def _goes_with_time(term: Term) -> bool:
 
 def _columns(at: Fit, beside: Beside) -> list[Array]:
     """Return whitened columns (scalars, MODES) of a walk at each place."""
-    problem, machine = at.problem, beside.machine
-    k = np.arange(MODES) + 0.5
+    problem, k = at.problem, np.arange(MODES) + 0.5
     functions = np.sin(np.pi * k * _passed(problem)[:, None]) * np.sqrt(2) / (np.pi * k)
-    dx, seen = problem.displacements(machine)[:, :, : problem.mechanism.limbs], problem.seen(machine)
-    each = []
-    for j in range(dx.shape[2]):
-        J, _ = at.instrument.linearise(problem.readings, seen, dx[:, :, j : j + 1] * functions[:, None, :])
-        each.append(beside.rows(J))
-    if problem.readings.kind.positions:
-        moved = by_instrument(at, beside, functions[problem.readings.rows[:, 0]])
-        each.extend(np.moveaxis(moved.reshape(len(moved), MODES, -1), 2, 0))
-    return each
+    moved = Displaced(at, beside).columns(functions)
+    return list(np.moveaxis(moved, 2, 0)[: None if problem.readings.kind.positions else problem.mechanism.limbs])
 
 
 def _passed(problem: Problem) -> Array:

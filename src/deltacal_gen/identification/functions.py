@@ -23,7 +23,7 @@ from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.residuals import lengths
 from deltacal_gen.estimation.series import sequence
 from deltacal_gen.estimation.solvers import jitter
-from deltacal_gen.estimation.system import in_unit_noise
+from deltacal_gen.estimation.system import whitened
 from deltacal_gen.identification.folds import stands
 from deltacal_gen.inference.likelihood import MixedModel
 from deltacal_gen.inference.sizes import fit_sizes
@@ -81,8 +81,6 @@ class Linear:
     ----------
     parts : sequence of (train, test)
         Masks (R,) of readings, no reading in two tests; repeats of a pose stay together.
-    weights : (R,) array, optional
-        Of the readings; default the fit's.
     put_back : iterable of (Function, coefficients)
         That are held in the fit, but stand in the readings here.
 
@@ -98,12 +96,11 @@ class Linear:
         self,
         at: Fit,
         parts: Sequence[tuple[np.ndarray, np.ndarray]],
-        weights: Array | None = None,
         put_back: Iterable[tuple[Function, Array]] = (),
     ) -> None:
         problem, machine = at.problem, at.machine
         state = problem.linearise(at.errors, at.instrument, machine)
-        self._fit, self._weights = at, at.weights if weights is None else weights
+        self._fit = at
         self._dx, self._seen = problem.displacements(machine), problem.seen(machine)
         self._tests, every = [test for _, test in parts], np.ones(len(problem.readings), dtype=bool)
         self.residual: Array = state.residual + sum(self.moved(f, every) @ c for f, c in put_back)
@@ -111,7 +108,7 @@ class Linear:
         self.n, free = self._raw.shape[2], np.zeros(state.J_m.shape[2])
         self._scale, self._departure = np.append(problem.scale, free + 1), np.append(at.departure, free)
         self._prior = np.append(np.ones(len(problem.scale)), free)
-        self._number = 1.0 if at.repeats.series is None else 1 / at.repeats.series.rows
+        self._number = 1 / at.repeats.rows
         self._noise = 1.0  # of the whitened readings: against it priors weigh
         self.alone = self.sized(self.functions([]), np.zeros(0))
 
@@ -122,10 +119,8 @@ class Linear:
     def _products(self, each: Sequence[Function], chosen: np.ndarray) -> Array:
         columns = [self._raw[chosen], self.residual[chosen, :, None], *(self.moved(f, chosen) for f in each)]
         fit, read = self._fit, np.isfinite(self.residual[chosen])
-        ratio, group = fit.repeats.ratio, fit.repeats.group[chosen]
-        apart = dataclasses.replace(fit.repeats, series=None, group=group, ratio=ratio)
-        rows = in_unit_noise(np.concatenate(columns, axis=2), read, fit.sigma, self._weights[chosen], apart)
-        A = rows.reshape(-1, rows.shape[2])
+        apart = dataclasses.replace(fit.repeats, series=None, group=fit.repeats.group[chosen])
+        A = whitened(np.concatenate(columns, axis=2), read, fit.sigma, fit.weights[chosen], apart)
         return np.asarray(self._number * (A.T @ A))
 
     def moved(self, function: Function, chosen: np.ndarray) -> Array:
@@ -138,37 +133,37 @@ class Linear:
 
     def units(self, functions: Functions) -> Array:
         """Return D of functions, each of which brings each of its places' readings the variance of their noise."""
-        square = np.sum([np.diag(G) for G in functions.products], axis=0)[self.n + 1 :]
+        square = np.diag(np.sum(functions.products, axis=0))[self.n + 1 :] / self._scalars(NONE)
         unit = [np.zeros(0)]
         for f, own in zip(functions.each, functions.parted(square), strict=True):
-            by_place = own.reshape(-1, len(f.places)).sum(axis=0) / self._scalars(NONE)
+            by_place = own.reshape(-1, len(f.places)).sum(axis=0)
             unit.append(np.tile(np.where(by_place > 0, 1 / np.maximum(by_place, 1e-300), 0.0), f.values.shape[1]))
         return np.concatenate(unit)
 
     def _scalars(self, without: Set[int]) -> float:
         """Return the effective number of scalars that are read, but for those of some parts."""
-        read = np.isfinite(self.residual) & (self._weights > 0)[:, None]
+        read = np.isfinite(self.residual) & (self._fit.weights > 0)[:, None]
         return self._number * float(sum(read[test].sum() for k, test in enumerate(self._tests) if k not in without))
 
-    def _whole(self, functions: Functions, noise: float, without: Set[int] = NONE) -> tuple[Array, Array]:
-        """Return the products of all columns, priors of what is fitted among them, and those of what is fitted."""
+    def _whole(self, functions: Functions, noise: float, without: Set[int] = NONE) -> Array:
+        """Return the products of all columns, the priors of what is fitted among them."""
         n, G = self.n, np.sum([G for k, G in enumerate(functions.products) if k not in without], axis=0)
         held = noise * self._prior
-        H = G[:n, :n] + np.diag(held + jitter(np.diag(G)[:n]))
+        G[:n, :n] += np.diag(held + jitter(np.diag(G)[:n]))
         G[:n, n] -= held * self._departure
-        G[n, :n], G[:n, :n] = G[:n, n], H
+        G[n, :n] = G[:n, n]
         G[n, n] += held @ self._departure**2
-        return G, H
+        return G
 
     def _model(self, functions: Functions, D: Array, without: Set[int]) -> tuple[MixedModel, float]:
         """Return the mixed model of coefficients in units of D, and what of log p does not depend on their size."""
-        n, (G, H) = self.n, self._whole(functions, self._noise, without)
+        n, G = self.n, self._whole(functions, self._noise, without)
+        H = G[:n, :n]
         S = G[n:, n:] - G[n:, :n] @ np.linalg.solve(H, G[:n, n:])
         free = n - self._noise * float(self._prior @ np.diag(np.linalg.inv(H)))  # directions that readings determine
-        root, scalars = np.sqrt(D), max(self._scalars(without) - free, 1.0)
-        G, b = root[:, None] * S[1:, 1:] * root, root * S[1:, 0]
         apart = 0.5 * ((n - free) * np.log(2 * np.pi * self._noise) - float(np.linalg.slogdet(H)[1]))
-        return MixedModel.normal(G, b, float(S[0, 0]), scalars), apart
+        root, scalars = np.sqrt(D), max(self._scalars(without) - free, 1.0)
+        return MixedModel.normal(root[:, None] * S[1:, 1:] * root, root * S[1:, 0], float(S[0, 0]), scalars), apart
 
     def sized(self, functions: Functions, D: Array, without: Set[int] = NONE) -> Sized:
         """Return the size of functions, and the noise, of the largest evidence."""
@@ -178,7 +173,7 @@ class Linear:
             found = self._sized(functions, D, without)
         return found
 
-    def _sized(self, functions: Functions, D: Array, without: Set[int]) -> Sized:
+    def _sized(self, functions: Functions, D: Array, without: Set[int] = NONE) -> Sized:
         model, apart = self._model(functions, D, without)
         diagonal, m = model.diagonal(), len(model.s)
         unit = m / max(float((model.s**2).sum()), 1e-300)
@@ -188,15 +183,14 @@ class Linear:
 
     def gain(self, found: Sized, kept: Array) -> float:
         """Return twice the logarithm of the evidence for functions beside those that are kept, of which D is `kept`."""
-        return 2 * (found.evidence - self._sized(found.functions, kept, NONE).evidence)
+        return 2 * (found.evidence - self._sized(found.functions, kept).evidence)
 
     def _normal(self, found: Sized, without: Set[int] = NONE) -> tuple[Array, Array]:
         """Return the normal equations of what is fitted and of functions, with their priors."""
-        n, (G, _) = self.n, self._whole(found.functions, found.noise, without)
-        own = np.delete(np.arange(len(G)), n)
-        H = G[np.ix_(own, own)]
-        H[n:, n:] += np.diag(found.noise / np.maximum(found.variance * found.D, 1e-300))
-        return H, G[own, n]
+        G = self._whole(found.functions, found.noise, without)
+        H, g = np.delete(np.delete(G, self.n, axis=0), self.n, axis=1), np.delete(G[:, self.n], self.n)
+        H[self.n :, self.n :] += np.diag(found.noise / np.maximum(found.variance * found.D, 1e-300))
+        return H, g
 
     def step(self, found: Sized, without: Set[int] = NONE) -> Array:
         """Return the step of what is fitted, in its scales, and the coefficients, by all parts but some."""
@@ -222,7 +216,7 @@ class Linear:
         out = np.full(self.residual.shape, np.nan)
         for k, test in enumerate(self._tests):
             out[test] = self.errors(found, self.step(found, {k}), test)
-        out[self._weights == 0] = np.nan
+        out[self._fit.weights == 0] = np.nan
         return out
 
 

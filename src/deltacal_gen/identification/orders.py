@@ -18,7 +18,6 @@ from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.terms import Term, effect_names, load_effect
 
 ORDERS = 100  # integer orders of a periodic error that are searched
-SAMPLE = 500  # readings at which the error's standard deviation is looked at
 
 
 @cache
@@ -75,11 +74,11 @@ def solved(linear: Linear, found: Sized, rows: np.ndarray) -> tuple[list[Coeffic
     rows : (R,) int array
         That were read.
     """
-    n, m, out = linear.n, 2 * ORDERS, []
-    step, covariance = linear.step(found), linear.covariance(found)
-    for i, function in enumerate(found.functions.each):
-        own, F = slice(n + m * i, n + m * (i + 1)), function.values[rows]
-        some = F[:: max(len(F) // SAMPLE, 1)] - F.mean(axis=0)  # a constant is the joint's zero
-        std = float(np.sqrt(np.mean(((some @ covariance[own, own]) * some).sum(axis=1))))
-        out.append(Coefficients(step[own], covariance[own, own], float(np.std(F @ step[own])), std))
+    n, step, covariance = linear.n, linear.step(found), linear.covariance(found)
+    out, places = [], found.functions.parted(np.arange(n, len(step)))
+    for function, own in zip(found.functions.each, places, strict=True):
+        F, c, C = function.values[rows], step[own], covariance[np.ix_(own, own)]
+        some = F - F.mean(axis=0)  # a constant is the joint's zero
+        std = float(np.sqrt(np.mean(((some @ C) * some).sum(axis=1))))
+        out.append(Coefficients(c, C, float(np.std(F @ c)), std))
     return out, covariance[:n, :n]
