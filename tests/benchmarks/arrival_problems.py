@@ -292,7 +292,8 @@ def of_correction(rng: np.random.Generator) -> tuple[str, Fitted]:
     wide = float(np.ptp(knots))
     size = WAVE if unit == DEG else 100 * WAVE
     name = joint_names(problem.recording.joint_unit, mechanism.limbs)[limb - 1]
-    smooth = Smooth(name, (limb,), knots, 0.2 * wide, 0.2 * wide, size * rng.standard_normal((KNOTS, 1)))
+    c, length = size * rng.standard_normal((KNOTS, 1)), 0.2 * wide
+    smooth = Smooth(variable=name, limbs=(limb,), knots=knots, length=length, reach=length, coefficients=c)
     moved = displaced(first, [smooth], problem)
     return f"{word}, a correction of joint {limb}", lambda: fit(
         moved, Prior(), errors=first.errors, instrument=first.instrument, robust=False, weigh_repeats=False

@@ -158,11 +158,13 @@ def test_noise_is_not_corrected(robot: Robot, seed: int) -> None:
 
 
 def test_a_function_fades_over_its_length() -> None:
-    made = Smooth("temp_C", (1,), np.array([[20.0], [21.0], [22.0]]), 2.0, 0.5, np.ones((3, 1)))
+    knots, ones = np.array([[20.0], [21.0], [22.0]]), np.ones((3, 1))
+    made = Smooth(variable="temp_C", limbs=(1,), knots=knots, length=2.0, reach=0.5, coefficients=ones)
     share = made.share(np.array([[20.0], [21.3], [22.5], [24.5], [40.0], [np.nan]]))
     assert share == pytest.approx([1.0, 1.0, 1.0, np.exp(-0.5), 0.0, 0.0], abs=1e-7)
     assert made.displacement(np.array([[21.0], [np.nan]])) == pytest.approx(np.array([[1 + 2 * np.exp(-1 / 8)], [0.0]]))
-    assert Smooth.of(made.kept()).displacement(made.knots) == pytest.approx(made.displacement(made.knots), abs=0)
+    again = Smooth(**json.loads(json.dumps(made.to_dict())))
+    assert again.displacement(made.knots) == pytest.approx(made.displacement(made.knots), abs=0)
 
 
 @pytest.mark.walk

@@ -134,7 +134,8 @@ def test_the_lengths_of_waves_are_those_of_the_function() -> None:
     v = np.linspace(0, 60, 61)[:, None]
     kernel = np.exp(-0.5 * (v - v.T) ** 2 / 2.0**2)
     values = np.sin(2 * np.pi * v / 12) + 0.2 * v
-    smooth = Smooth("q1_deg", (1,), v, 2.0, 0.5, np.linalg.solve(kernel + 1e-9 * np.eye(61), values))
+    c = np.linalg.solve(kernel + 1e-9 * np.eye(61), values)
+    smooth = Smooth(variable="q1_deg", limbs=(1,), knots=v, length=2.0, reach=0.5, coefficients=c)
     size, lengths = smooth.waves()
     assert size == pytest.approx(np.sqrt(0.5), rel=0.05)
     assert lengths == pytest.approx([12.0], rel=0.05)

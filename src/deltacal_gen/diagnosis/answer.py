@@ -177,7 +177,7 @@ def _correction(found: Diagnosed, made: Correction) -> results.SmoothCorrection:
         heldout_rms_mm=results.BeforeAfter(before=made.heldout[0], after=made.heldout[1]),
         share_of_excess=share_removed(made.heldout, found.noise.sigma),
         functions=_functions(found.final.problem, made),
-        smooth=tuple(smooth.kept() for smooth in made.smooth),
+        smooth=made.smooth,
         machine=MachineState(
             robot=kept_robot(robot),
             physics=tuple(map(kept_term, made.terms)),

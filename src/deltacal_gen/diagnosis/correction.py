@@ -41,8 +41,7 @@ JITTER = 1e-8  # of a knot's variance: knots that say nearly the same
 POSITION = "position"
 
 
-@dataclass(frozen=True)
-class Smooth:
+class Smooth(SmoothState):
     """A smooth function of a variable that displaces joints, or the platform along the axes of {O}.
 
     Attributes
@@ -60,13 +59,6 @@ class Smooth:
     coefficients : (K, limbs or 3) array
         [rad, mm]
     """
-
-    variable: str
-    limbs: tuple[int, ...]
-    knots: Array
-    length: float
-    reach: float
-    coefficients: Array
 
     def displacement(self, values: Array) -> Array:
         """Return the displacement (N, limbs or 3) at values (N, d) of the variable [rad, mm]."""
@@ -92,15 +84,6 @@ class Smooth:
         order = np.argsort(-power)
         most = 1 + int(np.searchsorted(np.cumsum(power[order]), 0.5 * power.sum()))
         return float(np.std(moved)), tuple(float(np.ptp(v) / (k + 1)) for k in order[:most])
-
-    def kept(self) -> SmoothState:
-        """Return what an answer keeps of it."""
-        return SmoothState(**{field.name: getattr(self, field.name) for field in dataclasses.fields(self)})
-
-    @staticmethod
-    def of(kept: SmoothState) -> Smooth:
-        """Return the function that an answer kept."""
-        return Smooth(kept.variable, kept.limbs, kept.knots, kept.length, kept.reach, kept.coefficients)
 
 
 @dataclass(frozen=True)
@@ -290,7 +273,7 @@ def _moved(smooth: Smooth, at: Fit, whole: Fit) -> Smooth:
     lines = at.problem.recording.line[rows]
     there = np.argsort(whole.problem.recording.line, kind="stable")
     found = there[np.searchsorted(whole.problem.recording.line, lines, sorter=there)]
-    return dataclasses.replace(smooth, knots=whole.machine.x[found, :3])
+    return smooth.replace(knots=whole.machine.x[found, :3])
 
 
 def displaced(at: Fit, functions: Sequence[Smooth], problem: Problem) -> Problem:
@@ -333,7 +316,7 @@ class _Option:
     def smooth(self, c: Array) -> tuple[Smooth, ...]:
         """Return the functions with coefficients [rad, mm]."""
         each = zip(self.blank, self.to_knots, self.functions.parted(c), strict=True)
-        made = [dataclasses.replace(f, coefficients=to @ own.reshape(to.shape[1], -1)) for f, to, own in each]
+        made = [f.replace(coefficients=to @ own.reshape(to.shape[1], -1)) for f, to, own in each]
         return (*made, *self.there)
 
 
@@ -373,8 +356,14 @@ def _like(at: Fit, name: str, limbs: tuple[int, ...], length: float) -> Smooth |
     if span == 0:
         return None
     knots = _knots(known, KNOTS)
-    reach = float(_gaps(known, knots).min(axis=1).max())
-    return Smooth(name, limbs, knots, length * span, reach, np.zeros((len(knots), len(limbs) or 3)))
+    return Smooth(
+        variable=name,
+        limbs=limbs,
+        knots=knots,
+        length=length * span,
+        reach=float(_gaps(known, knots).min(axis=1).max()),
+        coefficients=np.zeros((len(knots), len(limbs) or 3)),
+    )
 
 
 def _function(at: Fit, like: Smooth, limbs: int) -> tuple[Array, Function]:

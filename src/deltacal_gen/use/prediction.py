@@ -236,7 +236,7 @@ def _corrected(
 
     `x` are the poses without it.
     """
-    machine, functions = correction.machine, [Smooth.of(kept) for kept in correction.smooth]
+    machine, functions = correction.machine, [Smooth(**vars(kept)) for kept in correction.smooth]
     beside = result.replace(robot=machine.robot, physics=machine.physics, instrument=machine.instrument)
     robot = calibrated_robot(beside)
     q = robot.joint_sign * recording.joints
@@ -245,8 +245,7 @@ def _corrected(
     recording = dataclasses.replace(recording, joints=recording.joints + robot.joint_sign * moved)
     problem, instrument = prediction_problem(beside, recording, found, place)
     x = problem.poses(problem.reference)
-    x = np.hstack([x[:, :3] + shift, x[:, 3:]])
-    return share, problem, instrument, x
+    return share, problem, instrument, np.hstack([x[:, :3] + shift, x[:, 3:]])
 
 
 def prediction_problem(
