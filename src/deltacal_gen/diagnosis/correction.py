@@ -25,6 +25,7 @@ from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.identification.folds import folds
 from deltacal_gen.identification.functions import Function, Functions, Linear, Sized, confirmed
 from deltacal_gen.identification.together import rows_alone
+from deltacal_gen.inference.functions import bumps, farthest, gaps
 from deltacal_gen.instrument.kind import Instrument
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.values import Recording
@@ -62,12 +63,12 @@ class Smooth(SmoothState):
 
     def displacement(self, values: Array) -> Array:
         """Return the displacement (N, limbs or 3) at values (N, d) of the variable [rad, mm]."""
-        out: Array = np.nan_to_num(_kernel(values, self.knots, self.length)) @ self.coefficients
+        out: Array = np.nan_to_num(bumps(values, self.knots, self.length)) @ self.coefficients
         return out
 
     def share(self, values: Array) -> Array:
         """Return which part (N,) of the correction holds: 1 where there were readings, 0 far off or where blank."""
-        gap = np.maximum(_gaps(values, self.knots).min(axis=1) - self.reach * (1 + JITTER), 0.0)
+        gap = np.maximum(gaps(values, self.knots).min(axis=1) - self.reach * (1 + JITTER), 0.0)
         out: Array = np.where(np.isfinite(gap), np.exp(-0.5 * np.nan_to_num(gap / self.length) ** 2), 0.0)
         return np.where(out < 0.01, 0.0, out)
 
@@ -269,7 +270,7 @@ def _moved(smooth: Smooth, at: Fit, whole: Fit) -> Smooth:
     """
     if smooth.variable != POSITION:
         return smooth
-    rows = _gaps(smooth.knots, at.machine.x[:, :3]).argmin(axis=1)
+    rows = gaps(smooth.knots, at.machine.x[:, :3]).argmin(axis=1)
     lines = at.problem.recording.line[rows]
     there = np.argsort(whole.problem.recording.line, kind="stable")
     found = there[np.searchsorted(whole.problem.recording.line, lines, sorter=there)]
@@ -355,13 +356,13 @@ def _like(at: Fit, name: str, limbs: tuple[int, ...], length: float) -> Smooth |
     span = float(np.linalg.norm(np.ptp(known, axis=0)))
     if span == 0:
         return None
-    knots = _knots(known, KNOTS)
+    knots = known[farthest(known, KNOTS)]
     return Smooth(
         variable=name,
         limbs=limbs,
         knots=knots,
         length=length * span,
-        reach=float(_gaps(known, knots).min(axis=1).max()),
+        reach=float(gaps(known, knots).min(axis=1).max()),
         coefficients=np.zeros((len(knots), len(limbs) or 3)),
     )
 
@@ -370,29 +371,8 @@ def _function(at: Fit, like: Smooth, limbs: int) -> tuple[Array, Function]:
     """Return a smooth function as combinations of functions of variance 1, and how these become its knots'."""
     values = variable(like.variable, at.problem.recording, at.problem.body.q, at.machine.x)
     assert values is not None  # the function has knots of them
-    U, s, _ = np.linalg.svd(_kernel(like.knots, like.knots, like.length), hermitian=True)
+    U, s, _ = np.linalg.svd(bumps(like.knots, like.knots, like.length), hermitian=True)
     keep = s > JITTER * s[0]
     to_knots = U[:, keep] / np.sqrt(s[keep])
     places = tuple(i - 1 for i in like.limbs) or tuple(range(limbs, limbs + 3))
-    return to_knots, Function(np.nan_to_num(_kernel(values, like.knots, like.length)) @ to_knots, places)
-
-
-def _gaps(values: Array, knots: Array) -> Array:
-    gaps: Array = np.linalg.norm(values[:, None] - knots, axis=2)
-    return gaps
-
-
-def _kernel(values: Array, knots: Array, length: float) -> Array:
-    out: Array = np.exp(-0.5 * (_gaps(values, knots) / length) ** 2)
-    return out
-
-
-def _knots(values: Array, most: int) -> Array:
-    """Return up to `most` of the values (N, d): the farthest from all knots so far, again and again."""
-    knots = values[:1]
-    while len(knots) < most:
-        gap = _gaps(values, knots).min(axis=1)
-        if gap.max() == 0:
-            break
-        knots = np.vstack([knots, values[np.argmax(gap)]])
-    return knots
+    return to_knots, Function(np.nan_to_num(bumps(values, like.knots, like.length)) @ to_knots, places)

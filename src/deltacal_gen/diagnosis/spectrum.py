@@ -21,7 +21,8 @@ from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.residuals import lengths, rms
 from deltacal_gen.identification.functions import Functions, Linear, Sized, confirmed
-from deltacal_gen.identification.orders import ORDERS, all_orders, as_terms, shape, solved, wave, waves
+from deltacal_gen.identification.orders import ORDERS, all_orders, as_terms, solved, wave
+from deltacal_gen.inference.functions import spectrum, waves
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.terms import Term
 from deltacal_gen.results.diagnosis import Seen
@@ -140,7 +141,7 @@ def periodic(at: Fit, parts: Sequence[tuple[np.ndarray, np.ndarray]], known: Spe
     angles = {j: seen(q[used, j - 1], corner) for j in limbs}
     return Spectrum(
         as_terms({j: c.values for j, c in own.items()}),
-        tuple(np.full((len(limbs), 2), v**0.5) for v in found.variance * _carrying(shape(corner))),
+        tuple(np.full((len(limbs), 2), v**0.5) for v in found.variance * _carrying(spectrum(ORDERS, corner))),
         gains,
         {j: c.rms for j, c in own.items()},
         {j: c.std for j, c in own.items()},
@@ -156,7 +157,7 @@ def _sized(linear: Linear, functions: Functions, start: float) -> tuple[Sized, f
     """Return the size and the corner of the largest evidence, sought from a corner on."""
 
     def at(corner: float) -> Sized:
-        return linear.sized(functions, np.tile(np.repeat(shape(corner), 2), len(functions.each)))
+        return linear.sized(functions, np.tile(np.repeat(spectrum(ORDERS, corner), 2), len(functions.each)))
 
     best, corner = at(start), start
     for factor in (2.0, 0.5):
@@ -181,7 +182,7 @@ def _standing(values: Array, covariance: np.ndarray, angles: Sequence[tuple[floa
         Between which angles [deg] the joint was read.
     """
     there = np.concatenate([np.arange(a, b + STEP, STEP) for a, b in angles])
-    each = (waves(np.radians(there)) * values).reshape(len(there), ORDERS, 2).sum(axis=2)
+    each = (waves(np.radians(there), ORDERS) * values).reshape(len(there), ORDERS, 2).sum(axis=2)
     error = each.sum(axis=1)
     found = []
     for k in range(ORDERS):

@@ -6,7 +6,6 @@ at which limbs or in the reading, in which region.
 
 from __future__ import annotations
 
-import dataclasses
 import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -17,6 +16,8 @@ from deltacal_gen.diagnosis.beside import Beside
 from deltacal_gen.diagnosis.charges import MOST_SETS, best_set, gains, quantile
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
+from deltacal_gen.estimation.system import in_unit_noise
+from deltacal_gen.inference.functions import bumps, farthest, waves
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.rotation import swept
 from deltacal_gen.states import APPROACH
@@ -72,13 +73,8 @@ def alike(at: Fit) -> tuple[float, float]:
     found = at.problem.readings
     if found.rows.shape[1] != 1:
         return 0.0, 0.0
-    read = np.isfinite(at.residual).any(axis=0)
-    weight = (
-        np.sqrt(at.weights)[:, None] / at.sigma[read] * np.sqrt(1 + np.broadcast_to(at.repeats.ratio, read.shape))[read]
-    )
-    z = dataclasses.replace(at.repeats, ratio=np.broadcast_to(at.repeats.ratio, read.shape)[read]).whiten(
-        np.nan_to_num(at.residual[:, read]) * weight, at.weights
-    )
+    read = np.isfinite(at.residual)
+    z = in_unit_noise(at.residual, read, at.sigma, at.weights, at.repeats)[:, read.any(axis=0)]
     first = np.unique(found.group, return_index=True)[1]
     means = np.array([z[found.group == g].mean(axis=0) for g in np.unique(found.group)])
     q = at.problem.body.q[found.rows[first, 0]]
@@ -252,16 +248,10 @@ def _bases(problem: Problem) -> dict[str, tuple[Array, list[Region | None]]]:
     x, _ = body.mechanism.forward(body.q, body.tool, body.mechanism.rows(problem.robot))
     x = np.nan_to_num(x[:, :3])
     span = float(np.linalg.norm(np.ptp(x[rows], axis=0))) / 2
-    centres = [rows[0]]
-    while len(centres) < min(CENTRES, len(rows)):  # the farthest point of what is measured, again and again
-        gap = np.min([np.linalg.norm(x[rows] - x[c], axis=1) for c in centres], axis=0)
-        centres.append(rows[int(np.argmax(gap))])
-    places: list[Region | None] = []
-    bumps = []
-    for c, part in itertools.product(centres, RADII):
-        bumps.append(np.exp(-0.5 * (np.linalg.norm(x - x[c], axis=1) / (part * span)) ** 2))
-        places.append(((float(x[c, 0]), float(x[c, 1]), float(x[c, 2])), part * span))
-    out["position"] = np.column_stack(bumps), places
+    centres = x[rows[farthest(x[rows], CENTRES)]]
+    radii = [part * span for part in RADII]
+    places = [((float(c[0]), float(c[1]), float(c[2])), radius) for radius in radii for c in centres]
+    out["position"] = np.hstack([bumps(x, centres, radius) for radius in radii]), places
     return out
 
 
@@ -273,5 +263,4 @@ def _functions(v: Array, rows: np.ndarray) -> Array:
     t = (v - v[rows].min()) / np.ptp(v[rows])
     s = 2 * t - 1
     most = int(np.clip(len(levels) // 4, 2, WAVES))
-    waves = [f(2 * np.pi * k * t) for k in range(1, most + 1) for f in (np.cos, np.sin)]
-    return np.column_stack([s, s**2 - 1 / 3, s**3 - 0.6 * s, *waves])
+    return np.column_stack([s, s**2 - 1 / 3, s**3 - 0.6 * s, waves(2 * np.pi * t, most)])

@@ -20,6 +20,7 @@ from deltacal_gen.diagnosis.refits import terms_of
 from deltacal_gen.diagnosis.structure import Displaced
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
+from deltacal_gen.inference.functions import walk
 from deltacal_gen.inference.likelihood import MixedModel, unit_variance
 from deltacal_gen.inference.sizes import Sizes, fit_sizes
 from deltacal_gen.machine.registry import Array
@@ -79,9 +80,8 @@ def _goes_with_time(term: Term) -> bool:
 
 def _columns(at: Fit, beside: Beside) -> list[Array]:
     """Return whitened columns (scalars, MODES) of a walk at each place."""
-    problem, k = at.problem, np.arange(MODES) + 0.5
-    functions = np.sin(np.pi * k * _passed(problem)[:, None]) * np.sqrt(2) / (np.pi * k)
-    moved = Displaced(at, beside).columns(functions)
+    problem = at.problem
+    moved = Displaced(at, beside).columns(walk(_passed(problem), MODES))
     return list(np.moveaxis(moved, 2, 0)[: None if problem.readings.kind.positions else problem.mechanism.limbs])
 
 

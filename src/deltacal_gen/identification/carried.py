@@ -25,7 +25,8 @@ from deltacal_gen.estimation.residuals import lengths, rms
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.identification.folds import folds
 from deltacal_gen.identification.functions import Linear, confirmed
-from deltacal_gen.identification.orders import ORDERS, all_orders, as_terms, shape, solved, wave, waves
+from deltacal_gen.identification.orders import ORDERS, all_orders, as_terms, solved, wave
+from deltacal_gen.inference.functions import spectrum, waves
 from deltacal_gen.machine.places import at
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.values import Robot
@@ -166,13 +167,13 @@ class Periodic:
         Where it was read they are known as if by readings of the function itself, so many and so sure that what is
         within half a period of the corner has the standard deviation that the diagnosis tells.
         """
-        variance = float(np.mean([self.rms[j] ** 2 for j in self.errors]) / shape(self.corner).sum())
+        variance = float(np.mean([self.rms[j] ** 2 for j in self.errors]) / spectrum(ORDERS, self.corner).sum())
         step, out = np.pi / ORDERS, []
         for j in limbs:
             angles = np.concatenate([np.arange(a, b + step / 2, step) for a, b in self.seen[j]])
             number = np.pi / self.corner / step
-            F = waves(angles) / (max(self.std[j], EXACT * self.rms[j]) * number**0.5)
-            precision = F.T @ F + np.diag(1 / np.repeat(variance * shape(self.corner), 2))
+            F = waves(angles, ORDERS) / (max(self.std[j], EXACT * self.rms[j]) * number**0.5)
+            precision = F.T @ F + np.diag(1 / np.repeat(variance * spectrum(ORDERS, self.corner), 2))
             out.append(np.linalg.inv(np.linalg.cholesky(precision)).T)
         return out
 

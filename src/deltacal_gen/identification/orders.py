@@ -14,6 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from deltacal_gen.identification.functions import Function, Linear, Sized
+from deltacal_gen.inference.functions import waves
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.terms import Term, effect_names, load_effect
 
@@ -30,19 +31,6 @@ def as_terms(errors: Mapping[int, Array]) -> tuple[Term, ...]:
     """Return the errors of joints, coefficients (2 orders,) [rad] of each, as effects: one per order, from 1."""
     each = np.stack([values.reshape(ORDERS, 2) for values in errors.values()], axis=1)
     return tuple(Term(wave(), tuple(errors), each[k - 1], (float(k),)) for k in range(1, ORDERS + 1))
-
-
-def waves(angle: Array) -> Array:
-    """Return cosine and sine of every order (N, 2 orders)."""
-    step = np.multiply.accumulate(np.repeat(np.exp(1j * angle)[:, None], ORDERS, axis=1), axis=1)
-    out: Array = np.stack([step.real, step.imag], axis=2).reshape(len(angle), -1)
-    return out
-
-
-def shape(corner: float) -> Array:
-    """Return how the variance of coefficients goes with the order (orders,)."""
-    out: Array = (1 + (np.arange(1, ORDERS + 1) / corner) ** 2) ** -2.0
-    return out
 
 
 class Coefficients(NamedTuple):
@@ -62,7 +50,7 @@ def all_orders(q: Array, joint: int, root: Array | None = None) -> Function:
 
     `root` (2 orders, 2 orders) is L where coefficients are L c; without it they are c.
     """
-    each = waves(q[:, joint - 1])
+    each = waves(q[:, joint - 1], ORDERS)
     return Function(each if root is None else each @ root, (joint - 1,))
 
 
