@@ -7,6 +7,7 @@ from typing import Literal
 from deltacal_gen.results.base import Answer, Value
 from deltacal_gen.results.diagnosis import Diagnosis
 from deltacal_gen.results.document import Document, Table, Text, number
+from deltacal_gen.results.parts import EffectName
 from deltacal_gen.results.result import Result
 
 
@@ -19,11 +20,9 @@ class ConcealedParameter(Value):
     unit: str
 
 
-class Concealed(Value):
+class Concealed(EffectName):
     """An effect that was concealed in the recording."""
 
-    name: str
-    limbs: tuple[int, ...]
     parameters: tuple[ConcealedParameter, ...]
 
 

@@ -12,6 +12,7 @@ from deltacal_gen.results.base import Answer, Column, Counts, Rows, Value, shown
 from deltacal_gen.results.document import Document, Table, Text, decimals, number, rounded
 from deltacal_gen.results.parts import (
     AtRest,
+    EffectName,
     MachineState,
     Made,
     Missing,
@@ -125,13 +126,10 @@ class StandingOrder(Value):
     std_deg: float
 
 
-class Effect(Value):
+class Effect(EffectName):
     """An effect that was found."""
 
-    name: str
     title: str
-    limbs: tuple[int, ...]
-    """Those that the data bear out; none of an effect of the whole machine."""
     parameters: tuple[EffectParameter, ...]
     orders: tuple[int, ...] | None = None
     """The first and the last, of a periodic error of many orders."""
@@ -172,12 +170,17 @@ class LawCoefficient(Value):
     unit: str
 
 
-class LawTerm(Value):
+class Formula(Value):
     """What moves, by which expression: SymPy's text in mm, rad, s, kg, N, N mm and degC."""
 
     target: str
     limbs: tuple[int, ...]
     expression: str
+
+
+class LawTerm(Formula):
+    """A term of a law, with its coefficients."""
+
     coefficients: tuple[LawCoefficient, ...]
 
 
@@ -200,12 +203,9 @@ class LawCurve(Value):
     """Which of the law's terms it is of, from 0."""
 
 
-class RunnerUp(Value):
+class RunnerUp(Formula):
     """A form that was tried in place of a law's last term, and what it earns."""
 
-    target: str
-    limbs: tuple[int, ...]
-    expression: str
     gain: float
     """In chi2, beside all else that is fitted."""
     charge: float
@@ -245,11 +245,9 @@ class Law(LawOf):
     """By which what the form leaves of its states moves readings besides: predicted, never told; null for none."""
 
 
-class Hint(Value):
+class Hint(EffectName):
     """An effect that may be there: it explains more than chance usually lets it, short of proof."""
 
-    name: str
-    limbs: tuple[int, ...]
     gain_chi2: float
     p_value: float
     """Probability that noise alone lets the best of all forms of all effects earn so much."""

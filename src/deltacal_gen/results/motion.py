@@ -269,20 +269,20 @@ class TorqueEffect(Effect):
     """
 
 
-class TorqueRejected(Rejected):
-    """An effect that was looked at and not named, with what would be left of held-out samples with it."""
+class HeldOut(Value):
+    """What is left of held-out samples, together and joint by joint; null where the joint has nothing of it."""
 
     heldout_rms: float | None = None
     heldout_rms_by_joint: ByJoint
     unit_by_joint: tuple[str, ...] = ()
 
 
-class TorqueLaw(LawOf):
-    """A law of drives; held-out figures joint by joint are in `unit_by_joint`, null where the joint has no law."""
+class TorqueRejected(Rejected, HeldOut):
+    """An effect that was looked at and not named, with what would be left of held-out samples with it."""
 
-    heldout_rms: float | None = None
-    heldout_rms_by_joint: ByJoint
-    unit_by_joint: tuple[str, ...]
+
+class TorqueLaw(LawOf, HeldOut):
+    """A law of drives."""
 
 
 class MotionDiagnosis(Diagnosed, MotionModel):

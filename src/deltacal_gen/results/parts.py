@@ -182,6 +182,7 @@ class EffectName(Value):
 
     name: str
     limbs: tuple[int, ...]
+    """Those that the data bear out; none of an effect of the whole machine."""
 
 
 class SeriesMade(Value):

@@ -32,11 +32,9 @@ class Iso9283(Value):
     @property
     def words(self) -> str:
         """Its figures in a sentence."""
-        ap, worst_ap, rp, worst_rp = map(decimals, (self.AP_mean_mm, self.AP_max_mm, self.RP_mean_mm, self.RP_max_mm))
-        return (
-            f"ISO 9283, {self.poses} poses: accuracy AP {ap} mm (largest {worst_ap}), repeatability RP {rp} mm "
-            f"(largest {worst_rp})"
-        )
+        said = {"accuracy AP": (self.AP_mean_mm, self.AP_max_mm), "repeatability RP": (self.RP_mean_mm, self.RP_max_mm)}
+        each = [f"{name} {decimals(mean)} mm (largest {decimals(most)})" for name, (mean, most) in said.items()]
+        return f"ISO 9283, {self.poses} poses: {', '.join(each)}"
 
 
 class AxisPlace(Value):
@@ -68,13 +66,10 @@ class Iso230(Value):
     @property
     def words(self) -> str:
         """Its figures in a sentence."""
-        accuracy, error, repeats, reversal, mean = map(
-            decimals, (self.A_mm, self.E_mm, self.R_mm, self.B_mm, self.M_mm)
-        )
-        return (
-            f"ISO 230-2, {self.poses} positions from both sides, mm: accuracy A {accuracy}, systematic E {error}, "
-            f"repeatability R {repeats}, reversal B {reversal}, mean M {mean}"
-        )
+        names = ("accuracy A", "systematic E", "repeatability R", "reversal B", "mean M")
+        figures = (self.A_mm, self.E_mm, self.R_mm, self.B_mm, self.M_mm)
+        each = [f"{name} {decimals(figure)}" for name, figure in zip(names, figures, strict=True)]
+        return f"ISO 230-2, {self.poses} positions from both sides, mm: {', '.join(each)}"
 
 
 class Placed(Value):
