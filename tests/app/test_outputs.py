@@ -152,14 +152,12 @@ def test_killed_at_any_moment_a_file_is_old_or_new(tmp_path: Path) -> None:
     assert [p.name for p in tmp_path.iterdir()] == ["x.txt"]
 
 
-PHYSICS = (
-    '"physics": [{"effect": "%s", "limbs": [1], "values": [[0.1]], "constants": [], "tools": []}], "instrument": {'
-)
+PHYSICS = '"physics": [{"effect": "%s", "limbs": [1], "values": [[0.1]], "constants": [], "tools": []}]'
 OTHERS = {
     "kind": ('"kind": "position", "state"', '"kind": "velocity", "state"', "no kind of measurement"),
     "mechanism": ('"mechanism": "delta"', '"mechanism": "gamma"', "gamma"),
-    "effect": ('"instrument": {', PHYSICS % "slackness", "there is no effect"),
-    "formula": ('"instrument": {', PHYSICS % "law joint = c1*", "c1*"),
+    "effect": ('"physics": []', PHYSICS % "slackness", "there is no effect"),
+    "formula": ('"physics": []', PHYSICS % "law joint = c1*", "c1*"),
 }
 
 

@@ -85,6 +85,7 @@ def read_answer(source: Given, schemas: Sequence[str] = (*ANSWERS,)) -> Answer:
     file = None if isinstance(source, Mapping) else Path(source)
     text = json.dumps(plain(source)) if file is None else _text(file)
     writers = " or ".join(COMMANDS[s] for s in schemas if s in COMMANDS)
+    kind = f"result of {writers}" if set(schemas) <= COMMANDS.keys() else "answer of deltacal"
     remedy = f"Give the file that {writers} wrote." if writers else "Give a file that deltacal wrote."
     try:
         data = json.loads(text)
@@ -95,8 +96,7 @@ def read_answer(source: Given, schemas: Sequence[str] = (*ANSWERS,)) -> Answer:
     schema = data.get("schema") if isinstance(data, dict) else None
     if schema not in schemas:
         _check_version(str(schema), schemas, file)
-        some = set(schemas) <= COMMANDS.keys()
-        raise FileFormat(f"this is no {f'result of {writers}' if some else 'answer of deltacal'}.", remedy, file=file)
+        raise FileFormat(f"this is no {kind}.", remedy, file=file)
     kinds = types_of(schema)
     try:
         return kinds[-1 if data.get("kind") in KINDS_IN_MOTION else 0].model_validate_json(text, strict=True)
@@ -106,7 +106,7 @@ def read_answer(source: Given, schemas: Sequence[str] = (*ANSWERS,)) -> Answer:
         path = "".join(f"[{s}]" if isinstance(s, int) else f".{s}" for s in steps).removeprefix(".")
         value = "missing" if flaw["type"] == "missing" else json.dumps(flaw["input"], default=str)
         shown = value if len(value) <= MOST_SHOWN else value[: MOST_SHOWN - 3] + "..."
-        words = f"this is no {schema}: '{path}' is {shown}: {flaw['msg'][:1].lower()}{flaw['msg'][1:]}."
+        words = f"this is no {kind}: '{path}' is {shown}: {flaw['msg'][:1].lower()}{flaw['msg'][1:]}."
         raise FileFormat(words, remedy, file=file, line=_line(text, steps)) from None
 
 
