@@ -53,13 +53,12 @@ def test_no_readings_at_all_leave_everything_unseen() -> None:
 
 
 def test_base_parameters_are_those_of_a_case_worked_by_hand() -> None:
-    kept, dropped = base_parameters(by_hand(), NAMES, TYPICAL)
-    assert len(kept) == 2
-    assert "p" in kept
-    (other,) = set(kept) - {"p"}
-    assert dropped["s"] == {}
+    found = base_parameters(by_hand(), NAMES, TYPICAL)
+    assert len(found) == 2
+    assert found["p"] == {"p": 1.0}
+    (other,) = set(found) - {"p"}
     partner = "r" if other == "q" else "q"
-    assert dropped[partner] == {other: pytest.approx(5.0 if other == "q" else 0.2)}
+    assert found[other] == {other: 1.0, partner: pytest.approx(5.0 if other == "q" else 0.2)}
 
 
 def test_observability_is_what_its_formulas_say() -> None:

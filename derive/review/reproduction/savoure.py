@@ -63,7 +63,7 @@ def first_order(robot: Robot, recording: Recording, *, components: tuple[int, ..
     turned = recording.measured[:, 2] - np.arctan2(x[:, 6], x[:, 3])
     dX = np.column_stack([recording.measured[:, :2] - x[:, :2], turned])
     S_G, dX_G = S[:, components].reshape(-1, S.shape[2]), dX[:, components].ravel()
-    kept, _ = base_parameters(S_G, [p.name for p in mechanism.parameters], mechanism.typical)
+    kept = base_parameters(S_G, [p.name for p in mechanism.parameters], mechanism.typical)
     columns = [mechanism.index[name] for name in kept]
     found = np.linalg.lstsq(S_G[:, columns], dX_G, rcond=None)[0]
     return dict(zip(kept, found.tolist(), strict=True))

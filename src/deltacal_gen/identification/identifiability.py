@@ -111,7 +111,7 @@ class Seen:
     absorbed : int
         How many directions of `unseen` would move readings if the instrument's place were known.
     base : dict
-        What the readings determine, parameter by parameter with those that act through it; see `base`.
+        What the readings determine, parameter by parameter with those that act through it; see `base_parameters`.
     """
 
     observability: Observability
@@ -133,7 +133,7 @@ def seen(final: Fit, own: Problem) -> Seen:
     rows = [solution.V[:, j] for j in order if solution.factors[j] < RESOLVED]
     weak = combinations(np.array(rows), names, units, final.problem.scale, WEAKLY) if rows else []
     observed = observability(matrix.H, len(np.unique(own.readings.group)))
-    return Seen(observed, found, weak, absorbed, base(per_unit, names, typical) if found else {})
+    return Seen(observed, found, weak, absorbed, base_parameters(per_unit, names, typical) if found else {})
 
 
 def identification_matrix(problem: Problem, convention: str = "file") -> IdentificationMatrix:
@@ -283,41 +283,23 @@ def _words(terms: dict[str, float], units: dict[str, str], count: int) -> str:
     return f"{', '.join(shown[:-1])} and {shown[-1]}, moved together,"
 
 
-def base_parameters(H: Array, names: Sequence[str], typical: Array) -> tuple[list[str], dict[str, dict[str, float]]]:
-    """Return the parameters that a pivoted QR keeps, and how each dropped one acts through them (Savoure 2006, II.B).
+def base_parameters(H: Array, names: Sequence[str], typical: Array) -> dict[str, dict[str, float]]:
+    """Return the base parameters of H (rows, n), per mm and rad: those that a pivoted QR keeps (Savoure 2006, II.B).
 
-    Returns
-    -------
-    kept : list of str
-    dropped : dict
-        Dropped parameter to {kept parameter: factor}: its column is that combination of kept columns [mm, rad].
+    Each, in the order of `names`, comes with the factors [mm, rad] of those that act through it, 1 for itself: the
+    readings determine that sum.
     """
     from scipy import linalg
 
-    scaled = H * typical
-    _, R, order = linalg.qr(scaled, mode="economic", pivoting=True)
+    _, R, order = linalg.qr(H * typical, mode="economic", pivoting=True)
     rank = _rank(np.abs(np.diag(R)))
     share = linalg.solve_triangular(R[:rank, :rank], R[:rank, rank:])
-    kept = [names[j] for j in order[:rank]]
-    dropped = {
-        names[order[rank + c]]: {
-            names[order[i]]: float(share[i, c] * typical[order[i]] / typical[order[rank + c]])
-            for i in range(rank)
-            if abs(share[i, c]) > SHARE
-        }
-        for c in range(H.shape[1] - rank)
+    factors = np.where(np.abs(share) > SHARE, share * typical[order[:rank], None] / typical[order[rank:]], 0.0)
+    through = {
+        names[kept]: {names[kept]: 1.0} | {names[j]: float(f) for j, f in zip(order[rank:], own, strict=True) if f}
+        for kept, own in zip(order[:rank], factors, strict=True)
     }
-    return kept, dropped
-
-
-def base(H: Array, names: Sequence[str], typical: Array) -> dict[str, dict[str, float]]:
-    """Return the base parameters of H (rows, n), per mm and rad, in the order of `names`; see `base_parameters`.
-
-    Each comes with the factors [mm, rad] of those that act through it, 1 for itself: the readings determine the sum.
-    """
-    kept, dropped = base_parameters(H, names, typical)
-    through = {name: {n: factors[name] for n, factors in dropped.items() if name in factors} for name in kept}
-    return {name: {name: 1.0, **through[name]} for name in names if name in kept}
+    return {name: through[name] for name in names if name in through}
 
 
 def sum_of(terms: Mapping[str, float], units: Mapping[str, str]) -> str:

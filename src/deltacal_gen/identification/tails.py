@@ -8,7 +8,7 @@ told, and the standard deviation is the mean over all of these, each as likely a
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import lgamma, log, pi
+from math import lgamma, log, pi, sqrt
 from typing import Literal
 
 import numpy as np
@@ -62,19 +62,18 @@ def tails(z: Array, ways: int = 1) -> Tails:
     mean, square = float(size.mean()), float(np.mean(size**2))
     if not square > 0:
         return NO_TAILS
-    likely = np.array([-n / 2 * (np.log(2 * np.pi * square) + 1), -n * (np.log(2 * mean) + 1)])
-    spreads = [np.sqrt(square), np.sqrt(2) * mean]
+    shapes = [(-n / 2 * (log(2 * pi * square) + 1), sqrt(square)), (-n * (log(2 * mean) + 1), sqrt(2) * mean)]
     for degrees in DEGREES:
         scale = _scale(size**2, degrees)
         each = np.log1p(size**2 / (degrees * scale)).sum() / ways
         norm = lgamma((degrees + 1) / 2) - lgamma(degrees / 2) - log(pi * degrees * scale) / 2
-        likely = np.append(likely, n * norm - (degrees + 1) / 2 * each - np.log(len(DEGREES)))
-        spreads.append(np.sqrt(scale * degrees / (degrees - 2)))
-    best = int(likely.argmax())
-    if likely[best] < likely[0] + PROVEN:
+        likely = n * norm - (degrees + 1) / 2 * each - log(len(DEGREES))
+        shapes.append((likely, sqrt(scale * degrees / (degrees - 2))))
+    likelihoods, spreads = np.array(shapes).T
+    best = int(likelihoods.argmax())
+    if likelihoods[best] < likelihoods[0] + PROVEN:
         return NO_TAILS
-    weights = np.exp(likely - likely[best])
-    spread = float(weights @ np.array(spreads) / weights.sum())
+    spread = float(np.average(spreads, weights=np.exp(likelihoods - likelihoods[best])))
     return Tails(spread, "Laplace") if best == 1 else Tails(spread, "Student", DEGREES[best - 2])
 
 

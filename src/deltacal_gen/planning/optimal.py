@@ -232,7 +232,7 @@ def _kept(robot: Robot, names: Sequence[str], tools: Array, kind: Kind, said: Me
         columns = [j for j, name in enumerate(names) if name in model]
         if len(model) == len(columns) == rank == observability((H * typical)[:, columns], len(poses)).rank:
             return set(model)
-    return set(base_parameters(H, names, typical)[0])
+    return set(base_parameters(H, names, typical))
 
 
 def with_frame(task: Task, poses: Poses) -> tuple[Array, Array, Array]:
