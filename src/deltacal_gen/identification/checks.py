@@ -317,7 +317,7 @@ def _zeros(first: Fit) -> None:
         )
     zeros = ", ".join(f"{kinds[k].name} = {first.errors[k] / DEG:.0f}" for k in far)
     raise MisreadReadings(
-        f"the readings want {zeros} deg of this machine: the zero of a joint is elsewhere.",
+        f"the readings fit this machine only with {zeros} deg: the zero of a joint is elsewhere.",
         f"Correct the joints of the recording, or say it in the robot file: [errors] {zeros.replace(', ', ' and ')}.",
         file=problem.recording.path,
     )

@@ -105,7 +105,7 @@ def doubts(at: Fit) -> tuple[str, ...]:
         if 2 * abs(off[k]) > abs(off[order[0]])
     )
     return (
-        f"these readings want a machine that is farther from the robot file than parts are off: {'; '.join(told)}. "
+        f"the identified machine differs from the robot file by more than parts are off: {'; '.join(told)}. "
         "Compare the file's dimensions with the machine; where they are rough, say how rough ([tolerance]).",
     )
 
