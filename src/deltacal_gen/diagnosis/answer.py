@@ -168,8 +168,8 @@ def _correction(found: Diagnosed, made: Correction) -> results.SmoothCorrection:
 
     `machine` holds geometry, effects and instrument as they are beside it.
     """
-    names = [p.name for p in found.final.problem.mechanism.parameters]
-    robot = dataclasses.replace(found.robot, errors=dict(zip(names, made.errors.tolist(), strict=True)))
+    at, names = made.fitted, [p.name for p in found.final.problem.mechanism.parameters]
+    robot = dataclasses.replace(found.robot, errors=dict(zip(names, at.errors.tolist(), strict=False)))
     return results.SmoothCorrection(
         depends_on=tuple(smooth.variable for smooth in made.moving),
         limbs=tuple(i for smooth in made.moving for i in smooth.limbs),
@@ -180,8 +180,8 @@ def _correction(found: Diagnosed, made: Correction) -> results.SmoothCorrection:
         smooth=made.smooth,
         machine=MachineState(
             robot=kept_robot(robot),
-            physics=tuple(map(kept_term, made.terms)),
-            instrument=_instrument(found.final, made.instrument),
+            physics=tuple(map(kept_term, at.problem.acting(at.errors))),
+            instrument=_instrument(found.final, at.instrument),
         ),
     )
 

@@ -26,11 +26,9 @@ from deltacal_gen.identification.folds import folds
 from deltacal_gen.identification.functions import Function, Functions, Linear, Sized, confirmed
 from deltacal_gen.identification.together import rows_alone
 from deltacal_gen.inference.functions import bumps, farthest, gaps
-from deltacal_gen.instrument.kind import Instrument
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.body import Body
-from deltacal_gen.physics.terms import Term
 from deltacal_gen.results.diagnosis import SmoothState
 from deltacal_gen.units import joint_factors, joint_names
 
@@ -93,8 +91,8 @@ class Correction:
 
     Attributes
     ----------
-    errors : (n_p,) array
-        Source errors [mm, rad].
+    fitted : Fit
+        Geometry, effects and instrument.
     heldout : (float, float)
         RMS [mm] of readings that took part neither in the fit nor in its choices, without and with the correction.
     row_by_row : bool
@@ -106,9 +104,7 @@ class Correction:
     """
 
     smooth: tuple[Smooth, ...]
-    errors: Array
-    terms: tuple[Term, ...]
-    instrument: Instrument
+    fitted: Fit
     heldout: tuple[float, float]
     row_by_row: bool
     size: float
@@ -197,16 +193,22 @@ class BorneOut:
         linear, alone = self.linear, self.linear.alone
         step, every = linear.step(self.sized), np.ones(len(linear.residual), dtype=bool)
         functions = tuple(_moved(smooth, self.at, whole) for smooth in self.option.smooth(step[linear.n :]))
-        fitted = _beside(whole, functions)
-        if fitted is None:
+        try:
+            fitted = fit(
+                displaced(whole, functions, whole.problem),
+                Prior(),
+                errors=whole.errors,
+                instrument=whole.instrument,
+                must_converge=False,
+                tolerance=0.1,
+            )
+        except (NoSolutionError, InputError):
             return None
-        kind, (source, _) = self.at.problem.readings.kind, whole.problem.split(fitted.errors)
+        kind = whole.problem.readings.kind
         by_functions = linear.errors(alone, linear.step(alone), every) - linear.errors(self.sized, step, every)
         return Correction(
             smooth=functions,
-            errors=source[: len(whole.problem.mechanism.parameters)],
-            terms=whole.problem.acting(fitted.errors),
-            instrument=fitted.instrument,
+            fitted=fitted,
             heldout=self.heldout,
             row_by_row=self.row_by_row,
             size=rms(lengths(by_functions, kind)),
@@ -252,15 +254,6 @@ def borne_out_beside(at: Fit, left: Sequence[Structure]) -> BorneOut | None:
             corrected[test] += holds[found.rows[test]].min(axis=1)[:, None] * moved
     made = BorneOut(at, linear, option, sized, without, corrected, alike)
     return made if confirmed(problem, without, corrected) else None
-
-
-def _beside(at: Fit, functions: Sequence[Smooth]) -> Fit | None:
-    """Return the fit of geometry, effects and instrument beside smooth functions."""
-    problem = displaced(at, functions, at.problem)
-    try:
-        return fit(problem, Prior(), errors=at.errors, instrument=at.instrument, must_converge=False, tolerance=0.1)
-    except (NoSolutionError, InputError):
-        return None
 
 
 def _moved(smooth: Smooth, at: Fit, whole: Fit) -> Smooth:
