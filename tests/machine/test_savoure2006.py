@@ -304,12 +304,12 @@ def test_base_parameters_come_back_within_their_deviations(delta51: Robot) -> No
     recording = simulate(delta51, poses_at(30, seed=2), truth, noise_mm=0.005, noise_rad=2e-5, rng=rng)
     found = identify(robot_from_dict(PROTOTYPE), recording, "delta/51")
     told = found.answer()
-    assert told["rank"] == 39 == len(told["base"]) == len(found.base)
+    assert told["rank"] == 39 == len(told["base"]) == len(found.seen.base)
     assert len([c for c in told["unidentifiable"] if c["seen"] == "not at all"]) == 12
     off = []
-    for b, entry in zip(found.base, told["base"], strict=True):
+    for terms, entry in zip(found.seen.base.values(), told["base"], strict=True):
         unit = 180 / np.pi if entry["unit"] == "deg" else 1.0
-        actual = sum(factor * truth[n] for n, factor in b.terms.items()) * unit
+        actual = sum(factor * truth[n] for n, factor in terms.items()) * unit
         off.append((entry["value"] - actual) / entry["std"])
     assert np.abs(off).max() < 4.5
     assert 0.6 < np.sqrt(np.mean(np.square(off))) < 1.5
