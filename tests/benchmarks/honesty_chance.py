@@ -48,4 +48,4 @@ def first_look(recording: Recording) -> Chance:
 def geometry_of(recording: Recording) -> Fit:
     """Return the fit of geometry and instrument with which a diagnosis begins."""
     recording = set_aside(recording, ROBOT)
-    return _first(_geometry(ROBOT, recording, None)[0], recording)
+    return _first(_geometry(ROBOT, recording, None)[0])

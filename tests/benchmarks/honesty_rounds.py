@@ -139,5 +139,5 @@ def _known(begun: Start, recording: Recording) -> Fit:
     """Return the fit of geometry, instrument and the effect that is there."""
     recording = set_aside(recording, begun.robot)
     problem = _geometry(begun.robot, recording, None)[0]
-    first = _first(problem, recording)
+    first = _first(problem)
     return refitted(problem, first, [begun.term], tolerance=CONVERGED) or first

@@ -150,5 +150,5 @@ def test_the_constants_that_are_said_to_decide_are_the_ones_that_are_changed() -
 
 
 def test_a_constant_that_shares_its_name_and_value_with_another_is_changed_alone() -> None:
-    holders = {m.__name__ for m in thirty.holders("diagnosis.strategy", "RIVALS")}
+    holders = {m.__name__ for m in thirty.holders("diagnosis.selection", "RIVALS")}
     assert "deltacal_gen.diagnosis.laws.laws" not in holders

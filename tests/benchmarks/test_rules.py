@@ -37,11 +37,11 @@ def test_a_rule_fires_where_it_changes_something() -> None:
         assert evidence.Evidence(ratio=-100.0, size=100.0, expected=100.0).denies
         assert not evidence.Evidence(ratio=100.0, size=100.0, expected=100.0).denies
     assert fired["evidence.Evidence.denies"] == 1
-    given = Rule("diagnosis.strategy:_possible", given=0)
-    with replaced(given, lambda real: lambda own, *_: own):
-        assert strategy._possible("as it was", None, None) == "as it was"  # type: ignore[arg-type,comparison-overlap]
-    assert not given.fired("same", ("same",))
-    assert given.fired(None, ("same",))
+    given = Rule("diagnosis.strategy:_proven", given=1)
+    with replaced(given, lambda real: lambda *given: given[1]):
+        assert strategy._proven(None, "as it was") == "as it was"  # type: ignore[arg-type,comparison-overlap]
+    assert not given.fired("same", (None, "same"))
+    assert given.fired(None, (None, "same"))
 
 
 def test_what_changes_an_answer_is_counted() -> None:

@@ -49,10 +49,9 @@ STEERING = {
     "diagnosis.evidence": ("FAR", "SHORT", "MOST_WRONG"),
     "diagnosis.findings": ("AMBIGUOUS",),
     "diagnosis.refits": ("ROOM", "COMPARED"),
-    "diagnosis.strategy": (
-        *("ALIKE", "HARDLY_ALIKE", "BORNE_OUT", "MUCH_WORSE", "TURNS", "SETTLED"),
-        *("MOST_EFFECTS", "MOST_WAVES", "REVISIONS", "FEW", "RIVALS", "NEAR", "GIVEN_UP"),
-    ),
+    "diagnosis.strategy": ("ALIKE", "HARDLY_ALIKE", "BORNE_OUT", "TURNS", "SETTLED", "REVISIONS"),
+    "diagnosis.selection": ("MOST_EFFECTS", "MOST_WAVES", "MOST_REFITTED", "PROPOSED", "RIVALS", "NEAR", "EXCHANGED"),
+    "identification.sandwich": ("MEMORIES", "SHARES", "ORDINARY", "MODES"),
     "diagnosis.charges": ("CHANCE", "MARGIN", "AS_GOOD", "BENT"),
     "diagnosis.harmonics": ("FEW", "LONGEST", "SEEN_TWICE"),
     "diagnosis.chance": ("MOST_LEVERAGE", "LEAST_REST", "PROVEN"),

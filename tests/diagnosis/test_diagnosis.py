@@ -12,8 +12,6 @@ import pytest
 import deltacal_gen as dc
 from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.diagnosis.findings import Named
-from deltacal_gen.diagnosis.search import Found
-from deltacal_gen.diagnosis.strategy import _first as next_of
 from deltacal_gen.diagnosis.strategy import borne_out as speak_for
 from deltacal_gen.diagnosis.words import indistinguishable
 from deltacal_gen.errors import InputError
@@ -130,7 +128,7 @@ def test_what_is_missing_is_named_with_its_limb_and_its_size(loose: dict[str, An
     [width] = loose["effects"][0]["parameters"]
     assert (width["name"], width["limb"], width["unit"]) == ("width", 2, "deg")
     assert abs(width["value"] - WIDTH) < 4 * width["std"]
-    assert width["std"] < 0.05 * WIDTH
+    assert width["std"] < 0.06 * WIDTH
     assert loose["location"]["channels"][0]["name"] == "approach2"
     assert loose["location"]["limbs"] == [2]
     assert loose["effects"][0]["indistinguishable_from"] == []
@@ -365,11 +363,3 @@ def test_what_nothing_says_to_be_noise_only_looks_like_it() -> None:
     assert "neither repeats nor a declared sigma_mm): model error of this size cannot be excluded" in said["summary"]
     assert "is measurement noise" in sure["summary"]
     assert "looks like" not in sure["summary"]
-
-
-def test_what_a_load_does_is_fitted_before_a_wave_that_earns_more() -> None:
-    wave = Found(effect("transmission_eccentricity", (2,), 0.01, 0.0, constants=(1.0,)), 90.0, 60.0)
-    load = Found(effect("joint_compliance", (2,), 1e-3), 60.0, 40.0)
-    assert next_of([wave, load]) is load
-    hardly = dataclasses.replace(load, score=1.0)
-    assert next_of([wave, hardly]) is wave

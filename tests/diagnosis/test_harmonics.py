@@ -11,19 +11,11 @@ from hypothesis import strategies as st
 
 from deltacal_gen.diagnosis.charges import MARGIN, charge
 from deltacal_gen.diagnosis.harmonics import LONGEST, grouped, is_multiple, lowest_repeating, once, series
-from deltacal_gen.diagnosis.library import library
-from deltacal_gen.diagnosis.refits import refitted, terms_of
-from deltacal_gen.diagnosis.search import Search
-from deltacal_gen.diagnosis.strategy import _with_fewer_waves
-from deltacal_gen.estimation.fit import fit
-from deltacal_gen.estimation.prior import with_prior
-from deltacal_gen.estimation.problem import pose_problem
-from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.pages import report, validation
 from deltacal_gen.physics.terms import Term
 from deltacal_gen.use.prediction import beyond_waves
 from deltacal_gen.use.validation import validate
-from tests.support.left_out import DELTA, channels, diagnosis, effect, machine, record
+from tests.support.left_out import channels, diagnosis, effect, machine, record
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
@@ -150,16 +142,3 @@ def test_one_sine_stays_one_effect() -> None:
     robot = machine()
     found = diagnosis(robot, record(robot, effect(WAVE, (2,), 0.006, 0.004, constants=(8.0,)), n=60))
     assert [(e.name, e.limbs, e.harmonic_of) for e in found.effects] == [(WAVE, (2,), None)]
-
-
-def test_waves_of_a_period_give_way_to_the_one_of_them_that_is_there_and_another() -> None:
-    """Taken for a shape before order 11 was known, they imitate it in part, and would leave it nothing to earn."""
-    robot = machine()
-    there = [effect(WAVE, (2,), 0.01, 0.0, constants=(24.0,)), effect(WAVE, (2,), 0.0, 0.006, constants=(11.0,))]
-    problem = with_prior(pose_problem(robot, record(robot, *there, n=120), DELTA.model("delta/42")), robot)[0]
-    first, terms = fit(problem, Prior()), [t for t in library(problem)[0] if t.effect == WAVE]
-    taken = refitted(problem, first, [effect(WAVE, (2,), 0.0, 0.0, constants=(k,)) for k in (8.0, 16.0, 24.0)])
-    assert taken is not None
-    found = _with_fewer_waves(problem, Search(taken, terms))
-    assert sorted(t.constants[0] for t in terms_of(found.fit)) == [11.0, 24.0]
-    assert _with_fewer_waves(problem, found) is found

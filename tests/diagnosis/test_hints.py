@@ -10,7 +10,7 @@ import pytest
 from scipy.signal import lfilter
 
 from deltacal_gen.app.cli.terminal import Terminal
-from deltacal_gen.diagnosis import hints, strategy
+from deltacal_gen.diagnosis import hints, selection, strategy
 from deltacal_gen.diagnosis.answer import Diagnosed
 from deltacal_gen.diagnosis.charges import MARGIN
 from deltacal_gen.diagnosis.diagnosis import diagnose
@@ -75,9 +75,8 @@ def test_what_is_held_out_and_predicted_worse_is_no_name(monkeypatch: pytest.Mon
 
     found = searched()
     assert "backlash" in names(found)
-    assert "backlash" in names(strategy.beside_noise(found, False))
     monkeypatch.setattr(strategy, "held_out_by", _millimetres_off)
-    assert names(searched()) == names(strategy.beside_noise(found, False)) == []
+    assert names(searched()) == []
 
 
 def _millimetres_off(problem: Problem, search: Search, parts: object) -> Array:
@@ -143,7 +142,7 @@ def test_several_hints_each_earn_their_price_beside_those_before() -> None:
 
 
 def test_a_search_that_ends_at_its_limit_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
-    for room in (strategy, hints):
+    for room in (selection, hints):
         monkeypatch.setattr(room, "MOST_EFFECTS", 1)
     robot = machine()
     two = (effect("backlash", (2,), 0.02), effect("distal_compliance", (1,), 0.02))

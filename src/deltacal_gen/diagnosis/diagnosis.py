@@ -39,14 +39,14 @@ from deltacal_gen.diagnosis.laws.remainder import with_remainder
 from deltacal_gen.diagnosis.library import defined, library
 from deltacal_gen.diagnosis.refits import believable, form, refitted, terms_of
 from deltacal_gen.diagnosis.search import Search
+from deltacal_gen.diagnosis.selection import Progress
 from deltacal_gen.diagnosis.spectrum import LEAST_TURN, Spectrum, periodic
 from deltacal_gen.diagnosis.strategy import (
     Outcome,
-    Progress,
-    beside_noise,
     borne_out,
     deviance,
     held_out_by,
+    in_white_noise,
     searched,
     settled,
 )
@@ -57,7 +57,7 @@ from deltacal_gen.estimation.fit import CONVERGED, fit, held_out_errors
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.prior import with_prior
 from deltacal_gen.estimation.problem import Problem, pose_problem
-from deltacal_gen.estimation.residuals import Repeats, lengths, rms
+from deltacal_gen.estimation.residuals import lengths, rms
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.files.checks import check_units, set_aside
 from deltacal_gen.files.robot import Robot
@@ -69,7 +69,7 @@ from deltacal_gen.identification.noise import lack_of_fit, merely_more, stated
 from deltacal_gen.identification.orders import wave
 from deltacal_gen.identification.outliers import begun, check_rows, without_knocked, without_overflow
 from deltacal_gen.identification.prior import learned
-from deltacal_gen.identification.together import as_predicts, better_alone, deviance_of, together, without_following
+from deltacal_gen.identification.together import as_predicts, better_alone, without_following
 from deltacal_gen.machine.backend import by_recording
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Recording
@@ -107,9 +107,9 @@ def diagnose(
     progress("geometry")
     begun, doubt = _begun(robot, recording, model, progress)
     robot, problem, model, lean = begun.robot, begun.problem, begun.model, begun.lean
-    terms, not_tested, first, white = begun.terms, begun.not_tested, begun.first, begun.white
-    calm = _in_noise(begun, progress)
-    first, found, sought = (*calm, Sought()) if lean else _by_law((first, white), calm, progress)
+    terms, not_tested = begun.terms, begun.not_tested
+    found, sought = (begun.found, Sought()) if lean else _by_law(_without_walks(begun.found), progress)
+    first = found.first
     sought = _less_sign(sought, found)
     search, left, unexplained, spectrum = found.search, found.left, found.unexplained, found.spectrum
     if lawful := sought.laws:
@@ -119,9 +119,9 @@ def diagnose(
         search, left, smooth = _without_orders(found.problem, search, left, smooth)
     # what comes near its price, or is not borne out, is no finding, but worth a measurement
     doubtful = [] if lean else hinted(search, AMBIGUOUS)
-    doubtful += outweighed(search, white.search, doubtful, AMBIGUOUS)
+    doubtful += outweighed(search, doubtful, AMBIGUOUS)
     heldout = _held_out(found, search, lawful)
-    del begun, white, calm  # columns of all forms, which take more memory than all readings
+    del begun  # columns of all forms, which take more memory than all readings
     progress(f"fit of all {len(problem.readings)} readings")
     baseline, current, spectrum = _of_all(problem, first, search.fit, spectrum)
     search = _without_refuted(found.problem, search, current)
@@ -214,8 +214,8 @@ class _Begun:
     ----------
     terms : sequence of Term
         All effects that are looked at.
-    white : Outcome
-        What was found in noise that is each reading's own.
+    found : Outcome
+        What was found beside it.
     """
 
     robot: Robot
@@ -226,7 +226,7 @@ class _Begun:
     first: Fit
     terms: Sequence[Term]
     not_tested: tuple[Missing, ...]
-    white: Outcome
+    found: Outcome
 
 
 def _begun(robot: Robot, recording: Recording, model: str | None, progress: Progress) -> tuple[_Begun, tuple[str, ...]]:
@@ -243,11 +243,11 @@ def _begun(robot: Robot, recording: Recording, model: str | None, progress: Prog
     if wanted is None or not (doubt := doubts(wanted)):
         return _searched(drawn, progress), ()
     other = _searched(drawn_beside(_calibrated(robot, wanted), recording, model), progress)
-    explained = not (other.white.search.effects or other.white.unexplained)
+    explained = not (other.found.search.effects or other.found.unexplained)
     if explained or other.first.sigma[0] < EXPLAINED * drawn.first.sigma[0]:
         return other, doubt
     begun = _searched(drawn, progress)
-    kept, instead = begun.white.search.fit, other.white.search.fit
+    kept, instead = begun.found.search.fit, other.found.search.fit
     return (begun, ()) if kept.sigma[0] < instead.sigma[0] and not strained(kept) else (other, doubt)
 
 
@@ -289,29 +289,6 @@ def _first(some: Problem) -> Fit:
     return fit(some, Prior(), errors=start.errors, instrument=start.instrument, drop_gross=False, must_converge=False)
 
 
-def _in_noise(begun: _Begun, progress: Progress) -> tuple[Fit, Outcome]:
-    """Return the fit of the geometry, and what was found beside it, in noise that hangs together where it does."""
-    some, first, lean, found = begun.some, begun.first, begun.lean, begun.white
-    calm = None if lean else together(first)
-    if calm is not None:
-        progress("noise that hangs together")
-        again = _in(calm, first)
-        if (showing := together(again)) is not None:  # rows freed of one another show what directions differ in
-            again = _in(showing, again)
-        if deviance_of(again) < deviance(found):  # noise alone explains more than all that was named
-            other = searched(some, again, begun.terms, lean, progress)
-            if deviance(other) < deviance(found):
-                first, found = again, other
-    if calm is not None or (found.search.effects and not lean):
-        found = beside_noise(found, lean)
-    return first, _without_walks(found)
-
-
-def _in(noise: Repeats, at: Fit) -> Fit:
-    """Return a fit in other noise."""
-    return fit(at.problem, Prior(), errors=at.errors, instrument=at.instrument, repeats=noise, must_converge=False)
-
-
 def _without_walks(found: Outcome) -> Outcome:
     """Return what was found without effects of time that only follow joints which wander: that remains unexplained."""
     terms = terms_of(found.search.fit)
@@ -325,20 +302,17 @@ def _without_walks(found: Outcome) -> Outcome:
     return dataclasses.replace(found, search=search, left=structures(fit), unexplained=True, wandering=wandering)
 
 
-def _by_law(white: tuple[Fit, Outcome], calm: tuple[Fit, Outcome], progress: Progress) -> tuple[Fit, Outcome, Sought]:
-    """Return the geometry, what was found beside it, and the law that explains what these leave.
+def _by_law(found: Outcome, progress: Progress) -> tuple[Outcome, Sought]:
+    """Return what was found, and the law that explains what it leaves.
 
-    Noise that wanders takes in what a law of time does to rows: where that leaves nothing to explain, or needs fewer
-    names, a law beside white noise, which costs less, stands in its place. Joints that err at many orders imitate any
-    function of the pose.
+    Noise that is correlated takes in what a law of time does to rows: a law beside noise of each row's own, which costs
+    less, stands in its place. Joints that err at many orders imitate any function of the pose.
     """
-    beside, found = white[1], calm[1]
     sought = laws(found, progress) if found.spectrum is None else Sought()
-    fewer = len(found.search.effects) < len(beside.search.effects)
-    hidden = (beside.unexplained or fewer) and not found.unexplained and beside.spectrum is None is found.spectrum
-    if sought.laws or not hidden or not (instead := laws(beside, progress, doubted=fewer)).laws:
-        return *calm, sought
-    return (*white, instead) if instead.laws[0].cost < deviance(found) else (*calm, sought)
+    if sought.laws or found.unexplained or found.spectrum is not None or (white := in_white_noise(found)) is None:
+        return found, sought
+    instead = laws(white, progress) if white.unexplained else Sought()
+    return (white, instead) if instead.laws and instead.laws[0].cost < deviance(found) else (found, sought)
 
 
 def _less_sign(sought: Sought, found: Outcome) -> Sought:

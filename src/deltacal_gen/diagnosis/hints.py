@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 from deltacal_gen.diagnosis.chance import Chance
 from deltacal_gen.diagnosis.charges import MARGIN
-from deltacal_gen.diagnosis.refits import terms_of
+from deltacal_gen.diagnosis.refits import refitted, terms_of
 from deltacal_gen.diagnosis.search import Found, Search
-from deltacal_gen.diagnosis.strategy import MOST_EFFECTS
+from deltacal_gen.diagnosis.selection import MOST_EFFECTS
 from deltacal_gen.physics.terms import Term
 from deltacal_gen.results.diagnosis import Hint
 
@@ -58,24 +59,20 @@ def hinted(search: Search, ambiguous: float) -> list[Hinted]:
     return out
 
 
-def outweighed(search: Search, alone: Search, others: Sequence[Hinted], ambiguous: float) -> list[Hinted]:
-    """Return effects that noise outweighs, with what they earn beside it, but for those that are named or hints.
-
-    Parameters
-    ----------
-    search : Search
-        Beside all that is named, and the noise.
-    alone : Search
-        Beside what was found as if the noise of each row were its own: there others would explain as much.
-    """
+def outweighed(search: Search, others: Sequence[Hinted], ambiguous: float) -> list[Hinted]:
+    """Return effects that correlated noise outweighs: in noise of each row's own they would earn their price."""
+    at = search.fit
+    if at.repeats.plain:
+        return []
+    white = refitted(at.problem, dataclasses.replace(at, repeats=at.repeats.as_plain()), terms_of(at))
     known = {name for name, _ in search.effects} | {name for h in others for name in (h.term.effect, *h.alike)}
+    there = [] if white is None else hinted(Search(white, search.terms), ambiguous)
     out = []
-    for i, t in enumerate(terms_of(alone.fit)):
-        if t.effect not in known:
-            gain, freed = search.gain(search.where(t)), alone.freed(i)
-            least = freed.gain(freed.where(t)) - alone.price(t) - ambiguous
-            rivals = tuple(f.term.effect for f in freed.ranked() if f.term.effect != t.effect and f.score > least)
-            out.append(Hinted(Found(t, gain, gain - search.price(t)), t, rivals, outweighed=True))
+    for hint in there:
+        if hint.found.score > MARGIN and hint.term.effect not in known:
+            gain = search.gain(search.where(hint.term))
+            found = dataclasses.replace(hint.found, gain=gain, score=gain - search.price(hint.term))
+            out.append(dataclasses.replace(hint, found=found, outweighed=True))
     return out
 
 

@@ -14,9 +14,10 @@ from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.residuals import GROSS, HUBER, Repeats
 from deltacal_gen.estimation.series import Series
-from deltacal_gen.estimation.solvers import Prior, jitter
+from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.estimation.system import in_unit_noise
 from deltacal_gen.identification.folds import folds
+from deltacal_gen.identification.sandwich import averaged
 from deltacal_gen.machine.registry import Array
 
 PROVEN = 10.0  # of the deviance, that noise which hangs together must explain
@@ -30,10 +31,9 @@ def together(at: Fit) -> Repeats | None:
     None where it is neither. Physics that was left out looks like it too, where neighbouring rows are neighbouring
     poses or times, and where it moves readings along one axis: which of the two it is, a comparison of both tells.
     """
-    series = common(at.problem, at)
-    if series is None or len(at.residual) < 2:
+    if common(at.problem, at) is None or len(at.residual) < 2:
         return None
-    found, _ = _suited(at, series, len(at.problem.scale))
+    found, _ = suited(at, len(at.problem.scale))
     return None if found.plain else found
 
 
@@ -99,65 +99,43 @@ def better_alone(at: Fit) -> Fit | None:
 
 
 def as_predicts(at: Fit) -> Fit:
-    """Return a fit with the machine that predicts held-out readings better; see `better_alone`. The noise stays."""
-    if (alone := better_alone(at)) is None:
-        return at
-    found = {name: getattr(alone, name) for name in ("errors", "machine", "instrument", "residual")}
-    return dataclasses.replace(at, **found, covariance=covariance_alone(alone, at))
+    """Return a fit with the machine that predicts held-out readings better; see `better_alone`. The noise stays.
 
-
-def covariance_alone(alone: Fit, at: Fit) -> Array:
-    """Return the covariance of what is fitted with rows weighed alone, where their noise is that of another fit.
-
-    Ordinary least squares under correlated noise (n + n_m, n + n_m): N^-1 (A' V A + P) N^-1, N = A'A + P.
+    How surely it is known is asked of all noise models that the readings leave; see `sandwich`.
     """
-    assert at.repeats.series is not None
-    problem = alone.problem
-    state = problem.linearise(alone.errors, alone.instrument, alone.machine)
-    scale = np.append(problem.scale, np.ones(state.J_m.shape[2]))
-    J = np.concatenate([state.J_p, state.J_m], axis=2) * scale
-    A = in_unit_noise(J, np.isfinite(state.residual), alone.sigma, alone.weights, alone.repeats)
-    VA = at.repeats.series.noise.times(A) * (at.sigma / alone.sigma)[:, None] ** 2
-    A, VA = (rows.reshape(-1, len(scale)) for rows in (A, VA))
-    P = np.diag((np.arange(len(scale)) < len(problem.scale)).astype(float))
-    N = A.T @ A + P + np.diag(jitter(np.diag(A.T @ A)))
-    C = np.linalg.solve(N, np.linalg.solve(N, A.T @ VA + P).T)
-    return np.asarray(C * scale * scale[:, None])
+    if (alone := better_alone(at)) is None:
+        return dataclasses.replace(at, covariance=averaged(at))
+    found = {name: getattr(alone, name) for name in ("errors", "machine", "instrument", "residual")}
+    return dataclasses.replace(at, **found, covariance=averaged(alone))
 
 
 def deviance_of(at: Fit) -> float:
-    """Return twice the negative logarithm of the likelihood of a fit's readings, but for a constant.
+    """Return the deviance of `suited`."""
+    return suited(at)[1]
 
-    The noise is the one that suits best what it leaves: one that leaves white noise needs none that hangs together.
-    Geometry and instrument are taken out whatever the effects: the likelihood is that of the same contrasts for all.
-    Noise that hangs together pays its price, beside an effect or instead of it; so does one that has directions. A
-    gross error counts as a reading of as much more noise as it is off. Where readings have nothing in common, their
-    noise is each one's own.
+
+def suited(at: Fit, count: int | None = None) -> tuple[Repeats, float]:
+    """Return the noise that suits what a fit leaves best, and twice the negative logarithm of the likelihood with it.
+
+    But for a constant. The first `count` parameters and the instrument are taken out, by default geometry and
+    instrument whatever the effects: the likelihood is that of the same contrasts for all. Noise that is correlated pays
+    its price, beside an effect or instead of it; so does one that has directions. An outlier counts as a reading of as
+    much more noise as it is off. Where readings have nothing in common, their noise is each one's own.
     """
-    series = common(at.problem, at)
+    z, series = _rows(at, at.residual), common(at.problem, at)
+    scales = 2 * float((np.log(at.sigma) * np.isfinite(at.residual).sum(axis=0)).sum())
     if series is None:
-        found = float((_rows(at, at.residual) ** 2).sum())
-    else:
-        _, found = _suited(at, series, len(at.problem.names))
-    return found + 2 * float((np.log(at.sigma) * np.isfinite(at.residual).sum(axis=0)).sum())
-
-
-def _suited(at: Fit, series: Correlated, count: int) -> tuple[Repeats, float]:
-    """Return the noise that suits what a fit leaves best, and its deviance with what it pays.
-
-    `count` parameters, and the instrument, are taken out.
-    """
-    z, taken = _rows(at, at.residual), _taken(at, count)
-    series = series.weighted(_weights(at))
+        return at.repeats.as_plain(), float((z**2).sum()) + scales
+    taken, series = _taken(at, len(at.problem.names) if count is None else count), series.weighted(_weights(at))
     best, cost = _along(at.repeats.as_plain(), series, z, taken)
     shape = _shape(at, z[None] if best.series is None else best.series.weighted(series.weight).ways(z))
     if shape is None:
-        return best, cost
+        return best, cost + scales
     has = dataclasses.replace(best, series=None, shape=shape)
     level = has.levelled
     other, less = _along(has, series, level(z), taken and Taken(level(taken.known), taken.toward, level(taken.free)))
     less += len(z) * float(np.linalg.slogdet(shape)[1]) + price_of(shape)
-    return (other, less) if less < cost else (best, cost)
+    return (other, less + scales) if less < cost else (best, cost + scales)
 
 
 def _along(has: Repeats, series: Correlated, z: Array, taken: Taken | None) -> tuple[Repeats, float]:
