@@ -61,7 +61,9 @@ def test_bai_is_remade_on_one_page_twice_alike(tmp_path: Path) -> None:
     """Every table and figure of the ledger has its section with its verdicts; the same call gives the same bytes."""
     answer = dc.reproduce("bai", output=tmp_path)
     html = Path(answer.files[0]).read_text()
-    assert set(answer.figures["remade"]) >= {f"Table {k}" for k in range(1, 6)} | {"Fig. 6", "Fig. 7", "Fig. 8"}
+    done = answer.figures["remade"]
+    assert isinstance(done, tuple)
+    assert set(done) >= {f"Table {k}" for k in range(1, 6)} | {"Fig. 6", "Fig. 7", "Fig. 8"}
     for claim in ledger.load_paper("bai").claims:
         if re.match(r"(Table|Fig\\.) ", claim.where):
             assert f'<h2 id="{claim.where.replace(" ", "-")}">' in html
@@ -117,7 +119,9 @@ def test_savoure_has_a_curve_for_each_tool() -> None:
 @pytest.mark.parametrize("paper", ["mei", "traslosheros"])
 def test_long_pages_are_remade(paper: str, tmp_path: Path) -> None:
     answer = dc.reproduce(paper, output=tmp_path)
-    assert len(answer.figures["remade"]) >= 6
+    done = answer.figures["remade"]
+    assert isinstance(done, tuple)
+    assert len(done) >= 6
     assert Path(answer.files[0]).read_text().count("<figure>") >= 3
 
 

@@ -97,7 +97,7 @@ def read_answer(source: Given, schemas: Sequence[str] = (*ANSWERS,)) -> Answer:
     if schema not in schemas:
         _check_version(str(schema), schemas, file)
         raise FileFormat(f"this is no {kind}.", remedy, file=file)
-    kinds = types_of(schema)
+    kinds = types_of(str(schema))
     try:
         return kinds[-1 if data.get("kind") in KINDS_IN_MOTION else 0].model_validate_json(text, strict=True)
     except ValidationError as error:

@@ -185,8 +185,6 @@ class Identified(Answer):
 
     schema_: Literal["deltacal.result/1"] = "deltacal.result/1"
     model: str
-    singular_values: Numbers
-    """Of the weighted columns; in motion of those of the base parameters, each of size 1."""
     condition: float | None
     """Null where the rank is not full."""
     scaling: str
@@ -210,6 +208,7 @@ class Result(Identified, AtRest, Undiagnosed):
     """All source errors of the mechanism, in the order of its table; then what is unknown of the instrument by name."""
     rank: int
     rank_tolerance: float
+    singular_values: Numbers
     base: tuple[BaseParameter, ...] | None = None
     next_measurements: tuple[Remedy, ...]
     before_rms_mm: float

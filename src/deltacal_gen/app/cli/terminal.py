@@ -48,10 +48,10 @@ class Terminal:
         if self.as_json:
             from deltacal_gen.results.written import Failure
 
-            where = {name: getattr(error, name, None) for name in ("line", "column")}
-            file = str(error.file) if getattr(error, "file", None) else None
+            where = {name: getattr(error, name, None) for name in ("file", "line", "column")}
+            where["file"] = where["file"] and str(where["file"])
             told = {"code": error.code, "error": str(error), "exit_code": error.exit_code}
-            self._write(Failure(**told, file=file, **where).to_dict())
+            self._write(Failure.model_validate(told | where).to_dict())
         self.warn(str(error), f"error[{error.code}]")
         return error.exit_code
 
