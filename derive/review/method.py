@@ -18,6 +18,7 @@ import sympy as sp
 from deltacal_gen.diagnosis import charges, correction
 from deltacal_gen.estimation import fit, residuals, solvers
 from deltacal_gen.identification import orders
+from deltacal_gen.inference import functions
 from deltacal_gen.instrument.kinds import kind_of
 from derive.measurements import gauge
 from derive.review.laws import Law, law
@@ -264,7 +265,7 @@ def _smooth_steps() -> list[Step]:
     kernel = sp.exp(-((gap / length) ** 2) / 2)
     t, u = sp.symbols("t u", real=True)
     n = np.arange(1, orders.ORDERS + 1)
-    shape = orders.shape(7.0)
+    shape = functions.spectrum(orders.ORDERS, 7.0)
     values, knots = np.array([[0.3]]), np.array([[1.1]])
     # waves of one order with independent coefficients of one variance: the covariance of two angles
     pair = sp.simplify(sp.cos(order * t) * sp.cos(order * u) + sp.sin(order * t) * sp.sin(order * u))
@@ -275,7 +276,7 @@ def _smooth_steps() -> list[Step]:
                 "Cosine and sine of order n with coefficients of one variance: two angles are alike by the cosine of "
                 "their distance; beyond the corner the variance falls with the fourth power of the order.",
                 (sp.Symbol("k_n"), variance * pair),
-                ends=[orders.shape, orders.waves],
+                ends=[functions.spectrum, functions.waves],
             ),
             float(max(abs(float(variance.subs({order: int(j), corner: 7.0})) - shape[j - 1]) for j in n)),
             "tests/diagnosis/test_spectrum.py::test_the_error_is_known_to_the_standard_deviation_that_is_stated",
@@ -286,9 +287,9 @@ def _smooth_steps() -> list[Step]:
                 "A function of one variable of which two values are alike by their distance d over a length l: what it "
                 "displaces is this kernel times coefficients of its knots.",
                 (sp.Symbol("k"), kernel),
-                ends=[correction.Smooth.displacement, correction._kernel],
+                ends=[correction.Smooth.displacement, functions.bumps],
             ),
-            abs(float(kernel.subs({gap: 0.8, length: 0.5})) - float(correction._kernel(values, knots, 0.5)[0, 0])),
+            abs(float(kernel.subs({gap: 0.8, length: 0.5})) - float(functions.bumps(values, knots, 0.5)[0, 0])),
             "tests/diagnosis/test_correction.py::test_a_function_fades_over_its_length",
         ),
     ]

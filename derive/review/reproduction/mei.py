@@ -31,7 +31,7 @@ from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.registry import Array, load_mechanism
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.simulation import read_truth
-from deltacal_gen.planning import matrix, planning
+from deltacal_gen.planning import planning
 from deltacal_gen.units import DEG
 from derive.review.reproduction.sheet import Part, Picture, Sheet
 from derive.review.sources import EXAMPLES
@@ -342,9 +342,8 @@ def _figure_5(bench: Bench, a: Any) -> None:
 
 
 def _figure_8(bench: Bench, a: Any) -> None:
-    mount = matrix.Mount(np.array(bench.poses.measurement.base_point_mm), bench.tool)
     known = dataclasses.replace(bench.robot, errors={"mx": 1.0, "my": 0.5})
-    plan = planning.plan_poses(known, "diamond/4", kind="gauge", mount=mount, n_max=12)
+    plan = planning.plan_poses(known, "diamond/4", kind="gauge", said=bench.poses.measurement, n_max=12)
     n = [step.n for step in plan.steps]
     a.plot(n, [step.condition for step in plan.steps], "o-", label="kappa_1")
     a.plot(n, [step.corrected for step in plan.steps], "x--", label="kappa_m, f - dr_M")

@@ -250,7 +250,8 @@ def _bases(problem: Problem) -> dict[str, tuple[Array, list[Region | None]]]:
     span = float(np.linalg.norm(np.ptp(x[rows], axis=0))) / 2
     centres = x[rows[farthest(x[rows], CENTRES)]]
     radii = [part * span for part in RADII]
-    places = [((float(c[0]), float(c[1]), float(c[2])), radius) for radius in radii for c in centres]
+    about = [(float(x), float(y), float(z)) for x, y, z in centres]
+    places: list[Region | None] = [(centre, radius) for radius in radii for centre in about]
     out["position"] = np.hstack([bumps(x, centres, radius) for radius in radii]), places
     return out
 

@@ -100,11 +100,11 @@ def _step(given: TwoClocks, count: int, found: Fit) -> tuple[Array, Array]:
     if given.rated:
         by_clock = np.concatenate([by_clock, (by_time * time[:, None])[:, :, None]], axis=2)
     by_all = linear._replace(J_m=np.concatenate([linear.J_m, by_clock], axis=2))
-    rows = system(by_all, found.sigma, found.weights, found.repeats, problem.scale)
-    known = Factored(rows.rows[:, :-1], np.repeat([0.0, 1.0], [rows.n_m, len(problem.scale)]))
-    step = known.step(rows.b, np.concatenate([np.zeros(rows.n_m), found.departure]))
+    whole = system(by_all, found.sigma, found.weights, found.repeats, problem.scale)
+    known = Factored(whole.rows[:, :-1], np.repeat([0.0, 1.0], [whole.n_m, len(problem.scale)]))
+    step = known.step(whole.b, np.concatenate([np.zeros(whole.n_m), found.departure]))
     std = np.sqrt(np.diag(known.covariance) * _together(found, run, time))
-    clocks = slice(linear.J_m.shape[2], rows.n_m)
+    clocks = slice(linear.J_m.shape[2], whole.n_m)
     return step[clocks], std[clocks]
 
 

@@ -56,7 +56,7 @@ class Functions(NamedTuple):
     each: tuple[Function, ...]
     products: tuple[Array, ...]
 
-    def parted(self, values: Array) -> list[Array]:
+    def parted(self, values: np.ndarray) -> list[np.ndarray]:
         """Return values (n, ...) of all coefficients function by function."""
         return np.split(values, np.cumsum([f.values.shape[1] * len(f.places) for f in self.each], dtype=int))[:-1]
 
@@ -194,7 +194,7 @@ class Linear:
 
     def step(self, found: Sized, without: Set[int] = NONE) -> Array:
         """Return the step of what is fitted, in its scales, and the coefficients, by all parts but some."""
-        return np.linalg.solve(*self._normal(found, without))
+        return np.asarray(np.linalg.solve(*self._normal(found, without)))
 
     def covariance(self, found: Sized) -> Array:
         """Return the covariance of what is fitted [mm, rad], and of the coefficients."""
@@ -230,7 +230,7 @@ def confirmed(problem: Problem, before: Array, after: Array) -> bool:
     _, some, pose = np.unique(stands(found, recording), return_index=True, return_inverse=True)  # not every was read
     order = np.argsort(sequence(found, recording)[some], kind="stable")
     squares = [np.nansum(lengths(errors, found.kind) ** 2, axis=1) for errors in (before, after)]
-    a, b = (np.bincount(pose, each)[order] for each in squares)
+    a, b = (np.bincount(pose, each).astype(float)[order] for each in squares)
     seen = a + b > 0
     gain, total = (a - b)[seen], (a + b)[seen]
     return bool(gain.sum() > 0) and max(_score(gain), _score(gain / total)) > PROVEN

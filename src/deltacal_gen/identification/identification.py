@@ -247,7 +247,12 @@ def _held_out(final: Fit, rule: Solver, robust: bool) -> tuple[Fit, float]:
 def _solver(name: str | Solver, truncation: int | str, sigma: float | None) -> Solver:
     if not isinstance(name, str):
         return name
-    rules = {"prior": Prior, "least-squares": LeastSquares, "tsvd": partial(TSVD, truncation, sigma), "ridge": Ridge}
+    rules: dict[str, Callable[[], Solver]] = {
+        "prior": Prior,
+        "least-squares": LeastSquares,
+        "tsvd": partial(TSVD, truncation, sigma),
+        "ridge": Ridge,
+    }
     if name not in rules:
         raise UnknownName(f"there is no solver '{name}'; known: {', '.join(rules)}.")
     return rules[name]()

@@ -160,7 +160,7 @@ def _turned_off(problem: Problem) -> float:
     except (InputError, NoSolutionError):
         return float("inf")
     assert found.rotations is not None
-    turns = compared(*(np.swapaxes(R, 1, 2) for R in (drawn, found.rotations)), found.setup)
+    turns = compared(np.swapaxes(drawn, 1, 2), np.swapaxes(found.rotations, 1, 2), found.setup)
     return 0.0 if turns is None else turns.left
 
 
@@ -181,7 +181,7 @@ def _mistakes(few: Problem, every: Problem) -> Mistakes:
     return iter(())
 
 
-def _reading(problem: Problem, **changed: Array) -> Problem:
+def _reading(problem: Problem, **changed: Any) -> Problem:
     """Return the problem with other values or rotations."""
     return dataclasses.replace(problem, readings=dataclasses.replace(problem.readings, **changed))
 

@@ -52,9 +52,9 @@ def rounding_of(at: Fit) -> Rounding:
     of_readings = float(np.sqrt(np.mean(read**2) / 12))
     unit = "mm" if (factors == 1).all() else "deg"
     least = TOLD * max(of_joints, of_readings)
-    steps = ((of_joints, f"joints in steps of {joints.max():.3g} {unit}"),)
-    steps += ((of_readings, f"readings in steps of {read.max():.3g} mm"),)
-    told = [words for of, words in steps if of > least]
+    steps = {f"joints in steps of {joints.max():.3g} {unit}": of_joints}
+    steps[f"readings in steps of {read.max():.3g} mm"] = of_readings
+    told = [words for words, of in steps.items() if of > least]
     return Rounding(of_joints, of_readings, f"rounding of {' and '.join(told)} is in it" if told else "")
 
 

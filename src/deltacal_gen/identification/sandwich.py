@@ -55,7 +55,7 @@ def averaged(at: Fit) -> Array:
     bounded, found = np.concatenate([A, B, e[..., None]], axis=2) * np.sqrt(at.weights)[:, None, None], []
     for odds, noise in _correlations(at):
         freed = noise.whiten(bounded).reshape(e.size, -1)
-        R = np.linalg.qr(freed, mode="r")[n:, n:]
+        R = np.asarray(np.linalg.qr(freed, mode="r"))[n:, n:]
         model = MixedModel.of(R[:, :-1], R[:, -1], np.zeros((len(R), 0)))
         model = dataclasses.replace(model, contrasts=max(int(read.sum()) - n, 1))
         for creeps in CREEPS if creep.shape[2] else (0.0,):

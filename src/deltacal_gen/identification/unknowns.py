@@ -167,7 +167,7 @@ class Unknowns:
                     std=None if status is Status.NOT_PINNED else std / unit,
                     unit=self.instrument.reported[one.name],
                     status=status,
-                    indistinguishable_from=other and (other.words, *list(other.terms)[1:]),
+                    indistinguishable_from=(other.words, *list(other.terms)[1:]) if other else None,
                 )
             )
         return tuple(found)

@@ -34,6 +34,7 @@ print(result.headline)
 
 # %%
 lines = dc.export_compensator(result, export="klipper", output="lines.cfg")
+assert lines is not None  # as of every firmware
 print(f"bed: {lines.before.bed_rms_mm:.3f} -> {lines.after.bed_rms_mm:.3f} mm rms")
 print(f"sideways: {lines.before.lateral_rms_mm:.3f} -> {lines.after.lateral_rms_mm:.3f} mm rms")
 

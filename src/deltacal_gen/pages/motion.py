@@ -156,9 +156,9 @@ def _step(effect: TorqueEffect, places: Places) -> str:
 def _heldout(found: MotionResult | MotionDiagnosis) -> list[tuple[str, ...]]:
     """Return of every joint the held-out error: of a diagnosis without and with what was found, and filtered."""
     after = found.final
-    stages = (after.heldout_rms_by_joint, after.heldout_rms_by_joint_filtered)
+    stages = [after.heldout_rms_by_joint, after.heldout_rms_by_joint_filtered]
     if isinstance(found, MotionDiagnosis):
-        stages = (found.baseline.heldout_rms_by_joint, *stages)
+        stages.insert(0, found.baseline.heldout_rms_by_joint)
     rows = enumerate(zip(*stages, after.unit_by_joint, strict=True), 1)
     return [(str(j), *map(_figure, values), unit) for j, (*values, unit) in rows]
 

@@ -100,7 +100,7 @@ def plan(
     machine, name = _with_model(as_robot(robot), model)
     said = None if sidecar is None else read_measurement(sidecar)
     said = said if gauge is None else matrix.read_mount(gauge)
-    kind = kind or (MOUNTED if gauge else said and said.kind)
+    kind = kind or (MOUNTED if gauge else said.kind if said else None)
     how: dict[str, Any] = {"kind": kind, "tools": points, "singular": singular, "said": said}
     how |= {"scaling": scaling, "norm": norm, "sigma_mm": noise}
     options: dict[str, Any] = {
