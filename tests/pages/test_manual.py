@@ -289,7 +289,7 @@ def test_a_topic_is_printed_and_an_unknown_one_is_answered_with_the_nearest(run:
 
 def test_units_in_tables_and_help_are_not_taken_for_markup(run: Run) -> None:
     assert "size [deg]" in run("effects")[1]
-    assert "a reading [mm]" in run("plan", "--help")[1]
+    assert "(1 sigma) [mm]" in run("plan", "--help")[1]
 
 
 def test_a_terminal_is_told_how_to_show_the_page_that_is_linked() -> None:

@@ -30,6 +30,7 @@ DELTA, GEARBOX = example("delta"), example("gearbox")
 UNITS = ("_mm", "_deg", "_Nm", "_N", "_A", "_1", "_Hz", "_s", "_kg")
 BARE = {  # numbers without a unit: counts, parts of a whole, figures of statistics, what `unit` beside them tells
     *(
+        "cost_chi2",
         "harmonic_of",
         "rho",
         "rows",

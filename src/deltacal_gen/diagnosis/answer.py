@@ -19,7 +19,9 @@ from deltacal_gen.diagnosis.harmonics import order_of, unrepeated
 from deltacal_gen.diagnosis.laws.laws import Lawful
 from deltacal_gen.diagnosis.laws.told import told
 from deltacal_gen.diagnosis.partial import most_moved, partial_residuals
+from deltacal_gen.diagnosis.refits import terms_of
 from deltacal_gen.diagnosis.search import SCATTERED
+from deltacal_gen.diagnosis.selection import Hypothesis
 from deltacal_gen.diagnosis.spectrum import Spectrum
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
@@ -30,6 +32,7 @@ from deltacal_gen.identification.orders import wave
 from deltacal_gen.identification.outliers import gross_lines
 from deltacal_gen.identification.unknowns import Unknowns
 from deltacal_gen.instrument.kind import Instrument
+from deltacal_gen.machine.places import at
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.physics.terms import (
     LOGGED,
@@ -46,6 +49,7 @@ from deltacal_gen.results.parts import InstrumentState, MachineState, Missing
 from deltacal_gen.units import DEG, joint_factors, joint_names
 
 SHORT = 2.0  # times the noise: a held-out error beyond it says that the geometry itself is hardly known
+SHOWN = 5  # hypotheses
 ROUNDING = 1e-9  # of a standard deviation: less, of what no reading sees, is none
 
 
@@ -67,6 +71,7 @@ class Diagnosed:
     next_measurements: tuple[NextMeasurement, ...]
     robot: Robot
     chance: Chance
+    hypotheses: tuple[Hypothesis, ...] = ()
     correction: Correction | None = None
     spectrum: Spectrum | None = None
     lean: bool = False
@@ -118,7 +123,9 @@ class Diagnosed:
             ),
             location=self.location,
             effects=tuple(effect for effect, _ in effects),
-            search=results.Searched(best=self.chance.best, p_value=self.chance.p_value),
+            search=results.Searched(
+                best=self.chance.best, p_value=self.chance.p_value, hypotheses=_hypotheses(self.hypotheses, self.robot)
+            ),
             final=results.Final(
                 train_rms_mm=final.rms(), heldout_rms_mm=after, chi2_per_dof=(coordinate_sigma(final) / sigma) ** 2
             ),
@@ -314,4 +321,18 @@ def _seen(spectrum: Spectrum) -> results.Seen:
     return results.Seen(
         within_deg=180.0 / spectrum.corner,
         joints=tuple(results.SeenJoint(limb=j, angles_deg=tuple(spans)) for j, spans in spectrum.seen.items()),
+    )
+
+
+def _hypotheses(weighed: Sequence[Hypothesis], robot: Robot) -> tuple[results.Hypothesis, ...]:
+    """Return the most probable hypotheses of a search, with what each costs above the first."""
+    return tuple(
+        results.Hypothesis(
+            effects=tuple(t.effect + at(robot, t.limbs) for t in terms_of(h.fit)),
+            correlated=not h.fit.repeats.plain,
+            cost_chi2=h.cost - weighed[0].cost,
+            moves=h.moves,
+        )
+        for h in weighed[:SHOWN]
+        if np.isfinite(h.cost)
     )

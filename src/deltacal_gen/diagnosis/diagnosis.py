@@ -151,6 +151,7 @@ def diagnose(
         next_measurements=next_measurements(search.fit, questions, location if unexplained else None),
         robot=_calibrated(robot, current),
         chance=chance,
+        hypotheses=found.hypotheses,
         correction=None if smooth is None else smooth.of_all(current),
         spectrum=spectrum,
         lean=lean,

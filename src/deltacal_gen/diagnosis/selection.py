@@ -198,7 +198,10 @@ def _exchanges(
 
     The first is taken in the form that is best beside the second.
     """
-    second = freed.added(*itertools.chain(*first)).ranked()[0].terms
+    ranked = freed.added(*itertools.chain(*first)).ranked()
+    if not ranked:
+        return
+    second = ranked[0].terms
     again = freed.added(*second).best(first[0][0].effect).terms
     for one in {frozenset(map(place, own)): own for own in (first[0], again)}.values():
         terms = [*rest, *one, *second]

@@ -13,7 +13,7 @@ from deltacal_gen.diagnosis.evidence import evidence
 from deltacal_gen.diagnosis.refits import COMPARED, form, refitted, terms_of
 from deltacal_gen.diagnosis.scattering import scattering
 from deltacal_gen.diagnosis.search import Found, Search
-from deltacal_gen.diagnosis.selection import MOST_EFFECTS, Progress, select
+from deltacal_gen.diagnosis.selection import MOST_EFFECTS, Hypothesis, Progress, select
 from deltacal_gen.diagnosis.spectrum import Spectrum, periodic
 from deltacal_gen.diagnosis.structure import Structure, alike, smooth_columns, structures
 from deltacal_gen.estimation.fit import held_out, held_out_errors
@@ -49,6 +49,8 @@ class Outcome:
         Masks of readings, held out in turn.
     without, predicted : (R, k) array
         Errors of held-out readings [mm, rad] by geometry alone, and with what `tested` had found.
+    hypotheses : tuple of Hypothesis
+        That were compared, the cheapest first.
     wandering : tuple of int
         Joints, from 1, and 0 for the instrument, that go as chance has it where effects of time were found at first.
     """
@@ -64,15 +66,17 @@ class Outcome:
     tested: Fit
     without: Array
     predicted: Array
+    hypotheses: tuple[Hypothesis, ...] = ()
     wandering: tuple[int, ...] = ()
 
 
 def searched(some: Problem, first: Fit, terms: Sequence[Term], lean: bool, progress: Progress) -> Outcome:
     """Search for what was left out, beside a fit of geometry and instrument."""
-    search, considered = Search(first, terms), list[Found]()
+    search, considered, weighed = Search(first, terms), list[Found](), tuple[Hypothesis, ...]()
     if not lean:
         selected = select(some, search, progress)
         search, considered = _stiffest(some, selected.search), selected.considered
+        weighed = selected.hypotheses
         first = _beside(some, first, search.fit)
     parts = folds(some.readings, some.recording, rows=search.fit.repeats.rows)
     progress("held-out error")
@@ -97,7 +101,8 @@ def searched(some: Problem, first: Fit, terms: Sequence[Term], lean: bool, progr
         if proven is not search:
             search, left = proven, structures(proven.fit)
             unexplained = _unexplained(search, left, lean)
-    return Outcome(some, first, search, considered, left, spectrum, unexplained, parts, tested, without, predicted)
+    judged = (spectrum, unexplained, parts, tested, without, predicted)
+    return Outcome(some, first, search, considered, left, *judged, hypotheses=weighed)
 
 
 def in_white_noise(found: Outcome) -> Outcome | None:

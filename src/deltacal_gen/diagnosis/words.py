@@ -43,7 +43,7 @@ def summary(found: Diagnosed, answer: Diagnosis) -> str:
         Verdict.UNEXPLAINED: _unexplained,
     }
     sign = f"It may be {found.turned}: compare the signs of that column first." if found.turned else ""
-    doubts = [f"But {doubt}" for doubt in (*found.final.unsettled, *found.doubts)]
+    doubts = [f"But {doubt}" for doubt in found.doubts]
     parts = (sign, *says[found.verdict](found, answer), found.noise.contradiction, *doubts)
     return " ".join(filter(None, parts))
 

@@ -86,14 +86,29 @@ class Location(Value):
     text: str
 
 
+class Hypothesis(Value):
+    """Effects that the machine may have, fitted exactly with the noise that suits them."""
+
+    effects: tuple[str, ...]
+    """Each with where it is."""
+    correlated: bool
+    """Whether the noise of readings is correlated, or unlike in directions."""
+    cost_chi2: float
+    """-2 log of its posterior probability, a difference in chi2, above that of the most probable hypothesis."""
+    moves: tuple[str, ...]
+    """Steps of the search that led to it: `+` adds, `-` drops, `>` exchanges."""
+
+
 class Searched(Value):
-    """What the search comes to, before anything is named."""
+    """What the search comes to, before anything is named, and the hypotheses that it compared."""
 
     best: str | None
     """The effect that explains most for its price; null where none was tested."""
     p_value: float
     """Probability that noise alone lets the best of all forms of all effects explain as much: uniform where there is
     nothing but noise."""
+    hypotheses: tuple[Hypothesis, ...] = ()
+    """The most probable first."""
 
 
 class EffectParameter(Value):
@@ -466,6 +481,7 @@ class Diagnosis(Diagnosed, AtRest):
             for words, row in (("geometry", self.baseline), ("with what was found", self.final))
         ]
         yield Table((f"{unit}, rms of the readings", "fitted", "held out", "chi2 per degree of freedom"), rows)
+        yield from self._compared()
         for hint in self.hints:
             yield Text(f"suspected, p = {hint.p_value:.2g}: {hint.name}{places.at(hint.limbs)}; it {hint.why}", level=1)
         for question in self.next_measurements:
@@ -496,6 +512,16 @@ class Diagnosis(Diagnosed, AtRest):
             for limb, instead in (effect.instead_of_limb or {}).items():
                 which = f"{effect.name}{places.at([int(limb)])} is indistinguishable from one{places.at(instead)}"
                 yield Text(f"at these poses {which}", level=1)
+
+    def _compared(self) -> Iterator[Table]:
+        """Yield the hypotheses that the search compared, where there are several."""
+        weighed = () if self.search is None else self.search.hypotheses
+        rows = [
+            (" + ".join(h.effects) or "geometry alone", "correlated" if h.correlated else "white", f"{h.cost_chi2:.1f}")
+            for h in weighed
+        ]
+        if len(rows) > 1:
+            yield Table(("hypothesis", "noise", "-2 log odds against it"), rows)
 
     def _laws(self) -> Iterator[str]:
         """Yield the laws that were found, the first with its coefficients."""
