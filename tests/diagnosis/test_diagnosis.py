@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 import deltacal_gen as dc
+from deltacal_gen.diagnosis.conclusion import Named
 from deltacal_gen.diagnosis.diagnosis import diagnose
-from deltacal_gen.diagnosis.findings import Named
 from deltacal_gen.diagnosis.strategy import borne_out as speak_for
 from deltacal_gen.diagnosis.words import indistinguishable
 from deltacal_gen.errors import InputError

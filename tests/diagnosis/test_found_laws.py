@@ -180,7 +180,7 @@ def test_what_geometry_leaves_is_of_the_rows_that_the_law_was_asked_of(made: Dia
     off = problem.residual(alone.errors, alone.instrument, problem.poses(alone.errors))[proof.test]
     assert made.heldout == (proof.without, proof.rms)
     assert proof.without == pytest.approx(np.sqrt(np.mean(off**2)), rel=0.15)
-    assert proof.rms < 0.5 * proof.without
+    assert proof.rms < 0.6 * proof.without
 
 
 @pytest.mark.walk
@@ -223,7 +223,9 @@ def test_a_form_under_which_no_machine_comes_to_rest_is_passed_over(
     """As where a joint jumps at a torque and some pose stands on the jump: the next form is fitted."""
     real, asked = search.fitted, list[Tried]()
 
-    def refusing(problem: Problem, now: search.Grown, ground: Ground, tried: Tried, *how: Any) -> search.Grown | None:
+    def refusing(
+        problem: Problem, now: search.Hypothesis, ground: Ground, tried: Tried, *how: Any
+    ) -> search.Hypothesis | None:
         asked.append(tried)
         return None if len(asked) == 1 else real(problem, now, ground, tried, *how)
 
@@ -284,6 +286,7 @@ def test_it_is_written_as_the_file_of_an_effect_that_says_the_same(found: Diagno
     [
         ("joint", "c1*torque*warming", [("c1", 2e-8, "rad/(N mm K)")], "deg/(K Nm)"),
         ("joint", "c1*Lag(torque, c2)*oil_C", [("c1", 1e-9, ""), ("c2", 300.0, "s")], "deg/(oil_C Nm)"),
+        ("every joint", "c1*payload", [("c1", 2e-4, "rad/kg")], "deg/kg"),
         ("tool.z", "c1*Piecewise((time, time < c2), (c2, True))", [("c1", 1e-4, "mm/s"), ("c2", 900.0, "s")], "mm/s"),
     ],
 )
@@ -306,6 +309,7 @@ def test_any_law_can_be_written_as_an_effect(
     effect = space["EFFECT"]
     assert isinstance(effect, Effect)
     assert effect.coefficients[0].unit == unit
+    assert effect.per_limb is (target == "joint")
 
 
 @pytest.mark.parametrize("target", TARGETS)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 import pytest
@@ -11,7 +12,7 @@ from deltacal_gen.diagnosis import selection
 from deltacal_gen.diagnosis.library import library
 from deltacal_gen.diagnosis.refits import refitted, terms_of
 from deltacal_gen.diagnosis.search import Search
-from deltacal_gen.diagnosis.selection import Selection, select
+from deltacal_gen.diagnosis.selection import Hypothesis, Selection, select
 from deltacal_gen.estimation.fit import fit, rough
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.prior import with_prior
@@ -150,7 +151,12 @@ def test_a_load_is_found_though_a_wave_explains_more_at_first() -> None:
 def test_moves_are_few_and_a_search_ends_at_its_limit(monkeypatch: pytest.MonkeyPatch) -> None:
     robot, tried = machine(), list[int]()
     weighed = selection._weighed
-    monkeypatch.setattr(selection, "_weighed", lambda *args: tried.append(1) or weighed(*args))  # type: ignore[func-returns-value]
+
+    def counted(*args: Any) -> Hypothesis:
+        tried.append(1)
+        return weighed(*args)
+
+    monkeypatch.setattr(selection, "_weighed", counted)
     two = (effect("backlash", (2,), 0.02), effect("joint_scale", (1,), 0.002))
     first = of_geometry(robot, record(robot, *two, n=100, of=channels(100, "approach")))
     assert named(selected(first, [])) == [("backlash", (2,)), ("joint_scale", (1,))]

@@ -11,13 +11,13 @@ from deltacal_gen.diagnosis.library import library
 from deltacal_gen.diagnosis.refits import refitted
 from deltacal_gen.estimation.fit import PATIENCE, _Rows, fit
 from deltacal_gen.estimation.prior import BROAD
-from deltacal_gen.estimation.problem import Problem, pose_problem
+from deltacal_gen.estimation.problem import Problem, State, pose_problem
 from deltacal_gen.estimation.saddles import away
 from deltacal_gen.estimation.solvers import Prior
-from deltacal_gen.estimation.steps import State
 from deltacal_gen.estimation.turns import turned
 from deltacal_gen.files.robot import Robot, read_robot, robot_from_dict
 from deltacal_gen.identification.identification import identify
+from deltacal_gen.inference.least_squares import Status
 from deltacal_gen.instrument.kind import Instrument
 from deltacal_gen.instrument.kinds import readings
 from deltacal_gen.machine.registry import mechanism_of
@@ -283,3 +283,15 @@ def test_a_coefficient_that_bears_nothing_asks_for_no_saddle(arm: Robot) -> None
     of_first, of_second = np.diag(found.solution.covariance)[-2:]
     assert of_second < 0.5 < 0.99 < of_first
     assert not found.unseen.any()
+
+
+def test_a_fit_that_did_not_converge_says_so_in_the_answer(arm: Robot) -> None:
+    rng = np.random.default_rng(2)
+    read = recorded(arm, wide(rng, 40, 0.5))
+    found = identify(arm, read)
+    assert found.fit.status is Status.CONVERGED
+    assert found.answer().doubts is None
+    promised = [*found.fit.history, 3.0]
+    short = dataclasses.replace(found.fit, status=Status.ITERATIONS, history=promised)
+    (doubt,) = dataclasses.replace(found, fit=short).answer().doubts or ()
+    assert f"did not converge (iterations after {len(promised)} iterations)" in doubt

@@ -13,8 +13,8 @@ from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem, pose_problem
 from deltacal_gen.estimation.residuals import Repeats, lengths, rms
 from deltacal_gen.estimation.solvers import TSVD, LeastSquares, Prior
-from deltacal_gen.estimation.steps import Damped
 from deltacal_gen.files.robot import Robot
+from deltacal_gen.inference.least_squares import _Steps
 from deltacal_gen.instrument.kind import Instrument
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.backend import Backend, using
@@ -107,16 +107,16 @@ def test_a_step_beyond_all_numbers_is_taken_back(
     robot: Robot, mechanism: Machine, truth: dict[str, float], monkeypatch: pytest.MonkeyPatch, size: float
 ) -> None:
     """Without a word of NumPy's about what the machine is there."""
-    problem, steps = pose_problem(robot, clean(robot, truth, "position"), mechanism.model("18")), Damped.step
+    problem, steps = pose_problem(robot, clean(robot, truth, "position"), mechanism.model("18")), _Steps.step
     far = iter([size, size])
 
-    def step(self: Damped, damping: float) -> tuple[np.ndarray, np.ndarray]:
-        s, t = steps(self, damping)
-        return s * next(far, 1.0), t
+    def step(self: _Steps, damping: float) -> tuple[np.ndarray, float, float]:
+        whole, length, gain = steps(self, damping)
+        return whole * next(far, 1.0), length, gain
 
     with using(Backend.NUMPY):
         there = fit(problem)
-        monkeypatch.setattr(Damped, "step", step)
+        monkeypatch.setattr(_Steps, "step", step)
         again = fit(problem)
     assert next(far, None) is None
     assert again.errors == pytest.approx(there.errors, abs=1e-6)

@@ -114,5 +114,5 @@ def test_of_joints_that_nothing_tells_apart_the_one_that_gives_least_is_named_an
     named = diagnose(straight.problem.robot, straight.problem.recording).answer()
     [effect] = named.effects
     assert (effect.name, *effect.limbs) == (TWIST, 2) or TWIST in effect.indistinguishable_from
-    assert "poses in which other joints turn, too, would" in named.summary
-    assert "No poses do within what the joints have moved" in json.dumps([n.text for n in named.next_measurements])
+    assert f"{effect.name} at joint {effect.limbs[0]} from one at joint" in named.summary
+    assert "No poses within the recorded joint range do" in json.dumps([n.text for n in named.next_measurements])

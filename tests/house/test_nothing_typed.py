@@ -38,8 +38,6 @@ TURNED = "a pose in a base that has turned"
 ROWS = "a drawing's lines as rows of a table, which the derived kernels prove wherever they are made"
 FUNCTIONS = {
     "diagnosis/spectrum.py:_standing": "the amplitude of a wave of cosine and sine, and how well it is known",
-    "app/moved.py:grown": "two standard deviations together",
-    "diagnosis/laws/told.py:_law": "two standard deviations together",
     "machine/values.py:Workspace.holds": WORKSPACE,
     "identification/noise.py:_with_rounding": "variances that add up",
     "identification/uncertainty.py:uncertainty_map": "two standard deviations together",
@@ -58,6 +56,7 @@ FUNCTIONS = {
     "instrument/board.py:shown": "which points a straight lens shows, asked before there are images",
     "instrument/board.py:stand": BEGUN,
     "instrument/board.py:unseen": "columns made orthogonal to one another",
+    "instrument/kind.py:Instrument.check_state": "whether a matrix that was read is a rotation",
     "instrument/kind.py:Instrument.linearise": CHAIN_RULE,
     "instrument/kind.py:Instrument.residual": "one measured rotation by another",
     "instrument/kind.py:Instrument.stepped": "directions that keep ties, by their shares",

@@ -47,7 +47,6 @@ OF_STATES = {
     "motion/told.py:_curve": "friction is drawn along what else changes it, at a speed",
     "motion/unexplained.py:the module": "what answers call that on which a rest depends; the words are the table's",
     "diagnosis/library.py:_constant": "an offset of clocks does to readings what an effect of the speed does",
-    "diagnosis/laws/proof.py:proven": "how fast a law changes, in a word of its own",
     "pages/laws.py:_part": "the target of a law, not a state",
     "physics/law.py:__init__": "the target of a law, not a state",
     "physics/law.py:unit_moved": "the target of a law, not a state",

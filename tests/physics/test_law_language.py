@@ -122,6 +122,14 @@ def test_a_law_that_is_none_is_told() -> None:
         load_law("law joint = c1*tanh(torque)")
 
 
+def test_limbs_may_share_the_coefficients_of_a_law() -> None:
+    own, shared = load_law("law joint = c1*q"), load_law("law every joint = c1*q")
+    assert (own.PER_LIMB, shared.PER_LIMB) == (True, False)
+    assert (shared.ACTS_ON, shared.TARGETS, shared.STATE) == (own.ACTS_ON, own.TARGETS, own.STATE)
+    with pytest.raises(ValueError, match="is no law"):
+        load_law("law every tool.z = c1*time")
+
+
 def test_beyond_what_was_seen_a_law_goes_on_for_half_of_it_and_stays() -> None:
     found = load_law("law joint = c1*torque")
     s = np.array([[-1000.0], [0.0], [10.0], [14.0], [16.0], [1000.0]])

@@ -13,9 +13,9 @@ import pytest
 
 import deltacal_gen as dc
 from deltacal_gen.diagnosis import discrimination
-from deltacal_gen.diagnosis.designs import Duel, choose, least_misfit, take
+from deltacal_gen.diagnosis.designs import Duel, Question, choose, least_misfit, take
 from deltacal_gen.diagnosis.diagnosis import diagnose
-from deltacal_gen.diagnosis.discrimination import CLEAR, Pool, Question, next_measurements
+from deltacal_gen.diagnosis.discrimination import CLEAR, Pool, next_measurements
 from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import robot_from_dict, robot_to_dict
 from deltacal_gen.results.diagnosis import Diagnosis

@@ -12,11 +12,11 @@ import numpy as np
 from deltacal_gen.diagnosis import words
 from deltacal_gen.diagnosis.chance import Chance
 from deltacal_gen.diagnosis.charges import several
+from deltacal_gen.diagnosis.conclusion import Conclusion, Named
 from deltacal_gen.diagnosis.correction import Correction
 from deltacal_gen.diagnosis.discrimination import more_poses
-from deltacal_gen.diagnosis.findings import Named, share_removed
+from deltacal_gen.diagnosis.findings import share_removed
 from deltacal_gen.diagnosis.harmonics import order_of, unrepeated
-from deltacal_gen.diagnosis.laws.laws import Lawful
 from deltacal_gen.diagnosis.laws.told import told
 from deltacal_gen.diagnosis.partial import most_moved, partial_residuals
 from deltacal_gen.diagnosis.refits import terms_of
@@ -27,7 +27,7 @@ from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.files.robot import kept_robot
 from deltacal_gen.identification.knowledge import uncertainty_of
-from deltacal_gen.identification.noise import Noise, coordinate_sigma, noise_model
+from deltacal_gen.identification.noise import coordinate_sigma, noise_model
 from deltacal_gen.identification.orders import wave
 from deltacal_gen.identification.outliers import gross_lines
 from deltacal_gen.identification.unknowns import Unknowns
@@ -44,60 +44,17 @@ from deltacal_gen.physics.terms import (
     scaled,
 )
 from deltacal_gen.results import diagnosis as results
-from deltacal_gen.results.diagnosis import Diagnosis, Hint, Location, NextMeasurement, Rejected, Verdict
-from deltacal_gen.results.parts import InstrumentState, MachineState, Missing
+from deltacal_gen.results.diagnosis import Diagnosis
+from deltacal_gen.results.parts import InstrumentState, MachineState
 from deltacal_gen.units import DEG, joint_factors, joint_names
 
-SHORT = 2.0  # times the noise: a held-out error beyond it says that the geometry itself is hardly known
 SHOWN = 5  # hypotheses
 ROUNDING = 1e-9  # of a standard deviation: less, of what no reading sees, is none
 
 
 @dataclass(frozen=True)
-class Diagnosed:
-    """What was found, with the fits that it rests on; `answer` gives the same as users read it."""
-
-    verdict: Verdict
-    model: str
-    baseline: Fit
-    final: Fit
-    effects: tuple[Named, ...]
-    heldout: tuple[float, float]
-    noise: Noise
-    location: Location
-    rejected: tuple[Rejected, ...]
-    hints: tuple[Hint, ...]
-    not_tested: tuple[Missing, ...]
-    next_measurements: tuple[NextMeasurement, ...]
-    robot: Robot
-    chance: Chance
-    hypotheses: tuple[Hypothesis, ...] = ()
-    correction: Correction | None = None
-    spectrum: Spectrum | None = None
-    lean: bool = False
-    laws: tuple[Lawful, ...] = ()
-    turned: str = ""
-    doubts: tuple[str, ...] = ()
-    redrawn: bool = False  # `robot` is drawn as the readings want it, not as its file does
-
-    @property
-    def short(self) -> bool:
-        """Whether there are too few readings to tell a lesser effect from geometry.
-
-        What a fit leaves of the readings that it saw, such as noise that repeats within a few rows do not show, is no
-        want of readings.
-        """
-        return self.verdict is Verdict.ADEQUATE and not self.heldout[0] <= SHORT * self._left
-
-    @property
-    def unsure(self) -> bool:
-        """Whether what was found predicts held-out readings far worse than those that it was fitted to."""
-        return self.heldout[1] > SHORT * self._left
-
-    @property
-    def _left(self) -> float:
-        """The noise of a coordinate [mm], known or as the fit leaves it."""
-        return max(self.noise.sigma, coordinate_sigma(self.final))
+class Diagnosed(Conclusion):
+    """What a diagnosis concludes; `answer` gives the same as users read it."""
 
     def answer(self) -> Diagnosis:
         """Return the same as users read it, DIAGNOSIS.json: figures in mm, curves and wording among them."""

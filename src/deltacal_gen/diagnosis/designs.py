@@ -9,15 +9,39 @@ others are there: each is then exchanged for the best given all others (Fedorov 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 
 from deltacal_gen.machine.registry import Array
+from deltacal_gen.physics.terms import Term
 
 WEAK = 1e-9  # of a column's information: holds what no reading sees, without pulling on what they do see
 EXCHANGED = 250  # candidates that an exchange looks at: those that gain most
 ROUNDS = 2  # of exchanges
+
+
+@dataclass(frozen=True)
+class Question:
+    """What a diagnosis leaves open.
+
+    Attributes
+    ----------
+    truth : Term
+        An effect with its coefficients.
+    rivals : tuple of Term
+        Those that the readings cannot tell from it; their coefficients are not read.
+    unrecorded : tuple of str
+        Effects that could do the same through a channel that was not recorded or did not vary.
+    proven : bool
+        Whether the readings bear `truth` out against there being nothing.
+    """
+
+    truth: Term
+    rivals: tuple[Term, ...] = ()
+    unrecorded: tuple[str, ...] = ()
+    proven: bool = True
 
 
 class Duel:

@@ -21,11 +21,12 @@ import numpy as np
 from deltacal_gen.diagnosis.answer import Diagnosed
 from deltacal_gen.diagnosis.chance import Chance
 from deltacal_gen.diagnosis.charges import MARGIN
+from deltacal_gen.diagnosis.conclusion import Named
 from deltacal_gen.diagnosis.correction import BorneOut, borne_out_beside
-from deltacal_gen.diagnosis.discrimination import Question, next_measurements
+from deltacal_gen.diagnosis.designs import Question
+from deltacal_gen.diagnosis.discrimination import next_measurements
 from deltacal_gen.diagnosis.findings import (
     AMBIGUOUS,
-    Named,
     beside_turned,
     location_of,
     named_of,
@@ -109,8 +110,7 @@ def diagnose(
     robot, problem, model, lean = begun.robot, begun.problem, begun.model, begun.lean
     terms, not_tested = begun.terms, begun.not_tested
     found, sought = (begun.found, Sought()) if lean else _by_law(_without_walks(begun.found), progress)
-    first = found.first
-    sought = _less_sign(sought, found)
+    first, sought = found.first, _less_sign(sought, found)
     search, left, unexplained, spectrum = found.search, found.left, found.unexplained, found.spectrum
     if lawful := sought.laws:
         search, left, unexplained = Search(lawful[0].fit, search.terms), structures(lawful[0].fit), False

@@ -9,7 +9,6 @@ from __future__ import annotations
 import dataclasses
 import itertools
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -24,7 +23,7 @@ from deltacal_gen.diagnosis.candidates import (
     row_of,
     within_limits,
 )
-from deltacal_gen.diagnosis.designs import Duel, choose
+from deltacal_gen.diagnosis.designs import Duel, Question, choose
 from deltacal_gen.diagnosis.library import sizes
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
@@ -210,28 +209,6 @@ def _columns(
 
 
 # -------------------------------------------------------------------------------------------------------- proposals
-
-
-@dataclass(frozen=True)
-class Question:
-    """What a diagnosis leaves open.
-
-    Attributes
-    ----------
-    truth : Term
-        An effect with its coefficients.
-    rivals : tuple of Term
-        Those that the readings cannot tell from it; their coefficients are not read.
-    unrecorded : tuple of str
-        Effects that could do the same through a channel that was not recorded or did not vary.
-    proven : bool
-        Whether the readings bear `truth` out against there being nothing.
-    """
-
-    truth: Term
-    rivals: tuple[Term, ...] = ()
-    unrecorded: tuple[str, ...] = ()
-    proven: bool = True
 
 
 def next_measurements(

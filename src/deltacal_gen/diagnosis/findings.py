@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from deltacal_gen.diagnosis.chance import Chance
 from deltacal_gen.diagnosis.charges import AS_GOOD, MARGIN
+from deltacal_gen.diagnosis.conclusion import Named
 from deltacal_gen.diagnosis.library import unseen
 from deltacal_gen.diagnosis.refits import form, terms_of
 from deltacal_gen.diagnosis.scattering import scattering
@@ -47,37 +47,6 @@ from deltacal_gen.units import joint_names
 AMBIGUOUS = 10.0 + 4 * 10.0**0.5
 WARMED_WITHIN = (0.5, 0.2)  # of a session: times in which a machine that warms up comes near its end
 WARMED = 20.0  # K: by which a machine whose temperature nobody recorded may well differ from its drawing
-
-
-@dataclass(frozen=True)
-class Named:
-    """An effect that was found, with the gain in chi2 that it brings beside all others.
-
-    `score` is what is left of the gain after its charge. `rivals` explain the same misfit as well; `unrecorded` name
-    effects that could, through a channel that was not recorded or did not vary. `of_constant` is the standard
-    deviation of a constant that was searched. `lead` is by how much the score exceeds that of the best rival. A
-    harmonic names its `fundamental`, with which it is one finding: score and rivals are of all its waves together.
-    `elsewhere` has the limbs in whose place others explain as much, and these; `turned` an effect that would do as much
-    if the direction of approach counted the other way.
-    """
-
-    term: Term
-    std: Array
-    gain: float
-    share: float
-    rivals: tuple[Term, ...]
-    unrecorded: tuple[str, ...]
-    score: float
-    of_constant: float | None = None
-    lead: float = np.inf
-    fundamental: Term | None = None
-    elsewhere: dict[int, tuple[int, ...]] = dataclasses.field(default_factory=dict)
-    turned: tuple[str, ...] = ()
-
-    @property
-    def alike(self) -> tuple[str, ...]:
-        """Names of the effects that the readings cannot tell from it."""
-        return (*(t.effect for t in self.rivals), *self.unrecorded, *self.turned)
 
 
 def location_of(

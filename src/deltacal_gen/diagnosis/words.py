@@ -23,8 +23,7 @@ from deltacal_gen.results.parts import Source, needless
 from deltacal_gen.results.places import Places
 
 if TYPE_CHECKING:
-    from deltacal_gen.diagnosis.answer import Diagnosed
-    from deltacal_gen.diagnosis.findings import Named
+    from deltacal_gen.diagnosis.conclusion import Conclusion, Named
     from deltacal_gen.diagnosis.search import Found
     from deltacal_gen.diagnosis.structure import Region
 
@@ -35,7 +34,7 @@ NOTHING = "depends on nothing recorded"
 SUSPECTED = 0.02  # p-value of what is worth a word though its gain does not exceed the penalty
 
 
-def summary(found: Diagnosed, answer: Diagnosis) -> str:
+def summary(found: Conclusion, answer: Diagnosis) -> str:
     """Return one paragraph that a maintenance engineer can act on."""
     says = {
         Verdict.ADEQUATE: _adequate,
@@ -43,12 +42,12 @@ def summary(found: Diagnosed, answer: Diagnosis) -> str:
         Verdict.UNEXPLAINED: _unexplained,
     }
     sign = f"It may be {found.turned}: compare the signs of that column first." if found.turned else ""
-    doubts = [f"But {doubt}" for doubt in found.doubts]
+    doubts = [f"But {doubt}" for doubt in (*found.final.unsettled, *found.doubts)]
     parts = (sign, *says[found.verdict](found, answer), found.noise.contradiction, *doubts)
     return " ".join(filter(None, parts))
 
 
-def _adequate(found: Diagnosed, answer: Diagnosis) -> Sequence[str]:
+def _adequate(found: Conclusion, answer: Diagnosis) -> Sequence[str]:
     before, names = found.heldout[0], found.baseline.problem.names
     if found.lean:
         scalars = found.final.problem.readings.n_scalars
@@ -77,7 +76,7 @@ def _adequate(found: Diagnosed, answer: Diagnosis) -> Sequence[str]:
     )
 
 
-def _missing_physics(found: Diagnosed, answer: Diagnosis) -> Sequence[str]:
+def _missing_physics(found: Conclusion, answer: Diagnosis) -> Sequence[str]:
     before, after = map(decimals, found.heldout)
     named = _named(answer)
     if found.unsure:
@@ -97,7 +96,7 @@ def _missing_physics(found: Diagnosed, answer: Diagnosis) -> Sequence[str]:
     )
 
 
-def _unexplained(found: Diagnosed, answer: Diagnosis) -> Sequence[str]:
+def _unexplained(found: Conclusion, answer: Diagnosis) -> Sequence[str]:
     named = _named(answer)
     return (
         f"Residual not explained: {decimals(found.final.rms())} mm remain that no registered effect explains"
@@ -211,7 +210,7 @@ def _suspected(answer: Diagnosis) -> str:
 # ------------------------------------------------------------------------------------------------- the residual
 
 
-def _residual_is(found: Diagnosed) -> str:
+def _residual_is(found: Conclusion) -> str:
     """Return why the residual is measurement noise, or that nothing says so."""
     drift = drifting(found)
     if drift is not None:
@@ -235,7 +234,7 @@ def _residual_is(found: Diagnosed) -> str:
     )
 
 
-def drifting(found: Diagnosed) -> Series | None:
+def drifting(found: Conclusion) -> Series | None:
     """Return the correlation of the residual where it lasts as long as the recording; None of ordinary noise.
 
     An instrument whose noise is declared may drift within that.
@@ -297,7 +296,7 @@ def why_not(found: Found, as_well: str | None, others: bool) -> str:
     return "explains part of the residual, but is not confirmed on held-out data"
 
 
-def not_searched(found: Diagnosed) -> str:
+def not_searched(found: Conclusion) -> str:
     """Return why no formula was searched where none is given; "" where one was."""
     if found.final.problem.readings.rows.shape[1] > 1:
         return "No formula was searched: either end of a distance may have moved; measure positions."
@@ -306,7 +305,7 @@ def not_searched(found: Diagnosed) -> str:
     return ""
 
 
-def _corrected(found: Diagnosed, answer: Diagnosis) -> str:
+def _corrected(found: Conclusion, answer: Diagnosis) -> str:
     if found.correction is None or (made := answer.correction) is None:
         return "No smooth correction lowers the held-out error."
     names, places, most = made.depends_on, answer.robot.places, ""

@@ -16,7 +16,7 @@ import numpy as np
 from deltacal_gen.errors import ImplausibleReadings, InputError, NoConvergence
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.prior import BROAD, unsaid, with_prior
-from deltacal_gen.estimation.problem import Problem
+from deltacal_gen.estimation.problem import Problem, State
 from deltacal_gen.estimation.residuals import (
     Repeats,
     lengths,
@@ -27,9 +27,9 @@ from deltacal_gen.estimation.residuals import (
 )
 from deltacal_gen.estimation.saddles import away, unforeseen
 from deltacal_gen.estimation.solvers import LeastSquares, Prior, Solution, Solver
-from deltacal_gen.estimation.steps import Linear, State, improved
 from deltacal_gen.estimation.system import System, system, whitened
 from deltacal_gen.estimation.turns import turned
+from deltacal_gen.inference.least_squares import LITTLE, TINY, Linear, Status, least_squares
 from deltacal_gen.inference.projection import basis, project_out
 from deltacal_gen.instrument.kind import Instrument
 from deltacal_gen.machine.registry import Array
@@ -37,15 +37,16 @@ from deltacal_gen.physics.deformed import Deformed
 
 MAX_ITERATIONS = 60
 CONVERGED = 1e-4  # of chi2: what a last step could still gain; parameters then stand within 1e-2 of their deviation
-# a direction that the data hardly see converges slowly where the model bends within its noise: no step of it matters
-PATIENCE, SETTLED, UNSETTLED = 30, 5e-2, 1.0
-CRAWLING, CRAWLS = 5, 0.9  # steps in a row, after each of which so much of what was promised still is
+PATIENCE = 30  # iterations after which a reading that is now an outlier and now not counts
+SETTLED, UNSETTLED = LITTLE, 1.0  # of chi2: what a step promises that does not matter, and that does
 ESTIMATED_AT = 3  # iteration in which at the latest the weight of repeats is estimated: the fit is then close
 # of what a fit left the drawing by: where it begins on the other side; nearer it may come back, farther be led astray
 OPPOSITE = 0.03, 0.3
 ANY = 1e3  # ordinary errors: a prior of encoder offsets that never pulls
 FEW = 12  # lines that a message lists
 SPOILT = 30.0  # times the median residual: a reading so far off is named when a fit does not converge
+LONGEST = 30.0  # ordinary errors: a truncation's step beyond it is no correction but a loss of direction
+ARCS = 2  # corrections of a step, as the instrument turns along arcs
 SPARE_READINGS = 3  # scalars beyond the unknowns, without which no noise can be told from errors
 
 
@@ -110,7 +111,9 @@ def fit(
 
     def ended(start: State, must_converge: bool, follow: bool = False, noise: Array | None = None) -> tuple[Fit, _Rows]:
         rows = _Rows(problem, start.instrument, robust, repeats, weigh_repeats, drop_gross, noise)
-        return _Iteration(problem, rule, rows, tolerance).run(start, must_converge, follow), rows
+        return _ended(
+            _Exact(problem, rule, rows, tolerance <= CONVERGED, follow), start, tolerance, must_converge
+        ), rows
 
     begun = problem.begin(errors, machine) if instrument is None else instrument
     found, rows = ended(State(errors, begun, machine), must_converge)
@@ -226,107 +229,122 @@ class _Rows:
         return whitened(residual, np.isfinite(residual), self.sigma, self.weights, self.shared)
 
 
-class _Iteration:
-    """Linearise, weigh, solve, step: until nothing is to be gained."""
+class _Exact:
+    """A problem as a sum of squares: rows weighed anew and the rule's directions chosen wherever it is made linear."""
 
-    def __init__(self, problem: Problem, solver: Solver, rows: _Rows, tolerance: float) -> None:
-        self._problem, self._solver, self._rows, self._tolerance = problem, solver, rows, tolerance
-        self._history: list[float] = []
+    def __init__(self, problem: Problem, solver: Solver, rows: _Rows, exact: bool, follow: bool) -> None:
+        self.problem, self._solver, self.rows = problem, solver, rows
+        self._soft = problem.gives_way and exact
         self._close = ESTIMATED_AT
-        self._felt: Array | None = None  # by which the derivatives of a soft machine are others than at fixed loads
-        self._since = np.inf  # of chi2: what was promised where these were taken, and from there on
+        self._follow = follow and self._soft
+        self._felt: tuple[Array, int] | None = None  # by which derivatives gain as loads follow, and when that was so
 
-    def run(self, state: State, must_converge: bool, follow: bool) -> Fit:
-        """Iterate from a state; see `fit`. Derivatives of a soft machine `follow` its loads from the first."""
-        soft = self._problem.gives_way
-        damping, follow, history = 0.0, follow and soft, self._history
-        exact = soft and self._tolerance <= CONVERGED
-        while True:
-            if follow and self._felt is None:
-                damping = 0.0  # derivatives are others now: steps may be whole again
-            residual, linear, solution = self._solved(state, follow)
-            true = not exact or follow or self._since < SETTLED
-            if self._arrived():
-                if true:
-                    break
-                follow = True  # what derivatives at fixed loads, or of a place before, call the lowest is only near it
-                continue
-            if len(history) == MAX_ITERATIONS:
-                if must_converge and min(history[-3:]) >= UNSETTLED:
-                    self._blame(residual)
-                break
-            before, eased = state, damping
-            whitened = self._rows.whitened
-            state, damping = improved(self._problem, state, linear, solution, whitened, damping, self._tolerance)
-            if self._crawls():
-                break
-            follow = soft and damping > eased
-            if state is before:
-                if true and len(history) > self._close + 1 + self._rows.later:
-                    break  # no step lowers the objective: what the linear machine still promises is not to be had
-                follow, damping = soft, 0.0  # rows or derivatives are others next
-        rows, problem = self._rows, self._problem
-        noise = _shared_noise(problem, rows.weights, state.machine.x)
-        return Fit(
-            problem=problem,
-            errors=state.errors,
-            machine=state.machine,
-            instrument=state.instrument,
-            residual=residual,
-            weights=rows.weights,
-            sigma=rows.sigma,
-            solution=solution,
-            covariance=_joint_covariance(solution, linear.system, problem.scale, noise),
-            repeats=rows.shared,
-            history=history,
-        )
+    def linearise(self, at: State, promised: Sequence[float]) -> Linear:
+        """Weigh the rows, solve by the rule, and return what is left of its objective by steps.
 
-    def _solved(self, at: State, follow: bool) -> tuple[Array, Linear, Solution]:
-        """Return residuals, weighed rows and the solution at a state, and note what it promises.
-
-        Derivatives `follow` the loads there, and from there on are taken for those: they are as good as exact while
-        steps stay within a part of a standard deviation, as those do that promise little.
+        Derivatives follow the loads where they are to, and from there on are taken for those: they are as good as exact
+        while steps stay within a part of a standard deviation, as those do that promise little.
         """
-        problem, rows, history = self._problem, self._rows, self._history
+        problem, rows, count = self.problem, self.rows, len(promised)
         found = problem.linearise(at.errors, at.instrument, at.machine)
-        if follow:
-            self._felt, self._since = problem.followed(*at), 0.0
+        if self._follow:
+            self._felt, self._follow = (problem.followed(*at), count), False
         if self._felt is not None:
-            found = found._replace(J_p=found.J_p + self._felt)
-        if len(history) < self._close and history and history[-1] < UNSETTLED:
-            self._close = len(history)
-        rows.weigh(found.residual, len(history), self._close)
+            found = found._replace(J_p=found.J_p + self._felt[0])
+        if 0 < count < self._close and promised[-1] < UNSETTLED:
+            self._close = count
+        rows.weigh(found.residual, count, self._close)
         departure = (at.errors[problem.columns] - problem.reference[problem.columns]) / problem.scale
-        linear = system(found, rows.sigma, rows.weights, rows.shared, problem.scale)
-        A, b = linear.machine
+        self.system = system(found, rows.sigma, rows.weights, rows.shared, problem.scale)
+        A, b = self.system.machine
         # the solver draws towards the reference: it is asked for the whole departure, not for a step
-        solution = self._solver.solve(A, b + A @ departure, float(rows.sigma[0]), len(linear.b))
-        if len(history) == self._close:
+        solution = self._solver.solve(A, b + A @ departure, float(rows.sigma[0]), len(self.system.b))
+        if count == self._close:
             self._solver = self._solver.settled(solution)
-        rows.used(linear, solution, np.isfinite(found.residual))
-        objective = Linear(linear, departure, self._solver.weight)
-        history.append(objective.gain(solution.u - departure))
-        self._since += history[-1]
-        return found.residual, objective, solution
+        rows.used(self.system, solution, np.isfinite(found.residual))
+        self.residuals, self.solution, self._departure = found.residual, solution, departure
+        return self._linear()
 
-    def _crawls(self) -> bool:
-        """Tell whether steps of a fit within a search go along a bent valley, where each gains a little of the rest."""
-        last = np.array(self._history[-CRAWLING - 1 :])
-        return self._tolerance > CONVERGED and len(last) > CRAWLING and bool((last[1:] > CRAWLS * last[:-1]).all())
+    def _linear(self) -> Linear:
+        n_m, n, departure = self.system.n_m, len(self._departure), self._departure
+        rows, triangle, kept = self.system.rows, self.system.triangle, self.solution.factors > 0
+        if (weight := self._solver.weight) is None:  # a truncation goes the whole way, but for where it lost direction
+            s = self.solution.u - departure
+            s = s * min(1.0, LONGEST / max(float(np.max(np.abs(s), initial=0.0)), LONGEST))
+            return Linear(rows, triangle, step=np.concatenate([self.system.following(s), s]))
+        more = np.sqrt(weight) * np.column_stack([np.zeros((n, n_m)), np.eye(n), -departure]) if weight else None
+        influence = np.sqrt((triangle[:, :-1] ** 2).sum(axis=0))
+        usual = np.sqrt(np.mean(influence[n_m:] ** 2)) if n else 1.0
+        size = np.append(influence[:n_m] / max(usual, TINY), np.ones(n))  # an instrument's as that of ordinary errors
+        if self.solution.posterior or kept.sum() == n:
+            return Linear(rows, triangle, more, size)
+        free = np.zeros((n_m + n, n_m + int(kept.sum())))
+        free[:n_m, :n_m], free[n_m:, n_m:] = np.eye(n_m), self.solution.V[:, kept]
+        return Linear(rows, triangle, more, size, free)
 
-    def _arrived(self) -> bool:
-        n = len(self._history)
-        enough = self._history[-1] < (self._tolerance if n < PATIENCE else SETTLED)
-        return enough and n > (self._close + 1 + self._rows.later if self._rows.estimated else 1)
+    def stepped(self, at: State, step: Array, near: State) -> State | None:
+        """Return the state after a step of instrument and parameters; None where a pose is out of reach."""
+        problem, n_m = self.problem, self.system.n_m
+        errors = at.errors.copy()
+        errors[problem.columns] += step[n_m:] * problem.scale
+        try:
+            machine = problem.solve(errors, near=near.machine)
+        except InputError:
+            return None
+        t = step[:n_m]
+        moved = at.instrument.stepped(t)
+        if n_m:
+            # turns lead along arcs: what leaves the linear step is made up for where the instrument moves much
+            rest, back, x = self.system.rows @ np.append(-step, 1.0), self.system.back, problem.seen(machine)
+            for _ in range(ARCS):
+                t = t + back @ (self.rows.whitened(problem.residual(errors, moved, x)) - rest)
+                moved = at.instrument.stepped(t)
+        return State(errors, moved, machine)
 
-    def _blame(self, residual: Array) -> None:
-        """Raise what the iteration did not converge of."""
-        _blame(self._problem, residual)
-        last = ", ".join(f"{h:.1e}" for h in self._history[-3:])
+    def residual(self, at: State) -> Array:
+        """Return the rows at a state, and those of the prior."""
+        problem = self.problem
+        rows = self.rows.whitened(problem.residual(at.errors, at.instrument, problem.seen(at.machine)))
+        if not self._solver.weight:
+            return rows
+        departure = (at.errors[problem.columns] - problem.reference[problem.columns]) / problem.scale
+        return np.concatenate([rows, -np.sqrt(self._solver.weight) * departure])
+
+    def settle(self, promised: Sequence[float]) -> bool:
+        """Tell whether weights have been estimated, and derivatives follow the loads: otherwise they will."""
+        if len(promised) <= (self._close + 1 + self.rows.later if self.rows.estimated else 1):
+            return False
+        self._follow = self._soft and (self._felt is None or sum(promised[self._felt[1] :]) >= SETTLED)
+        return not self._follow
+
+
+def _ended(model: _Exact, start: State, tolerance: float, must_converge: bool) -> Fit:
+    """Return the fit that an iteration from a state leads to."""
+    little = SETTLED if tolerance <= CONVERGED else np.inf  # within a search the rest of a bent valley is not walked
+    end = least_squares(model, start, tolerance=tolerance, iterations=MAX_ITERATIONS, little=little)
+    problem, rows = model.problem, model.rows
+    if must_converge and end.status is Status.ITERATIONS and min(end.promised[-3:]) >= UNSETTLED:
+        _blame(problem, model.residuals)
+        last = ", ".join(f"{h:.1e}" for h in end.promised[-3:])
         raise NoConvergence(
-            f"the fit of {len(self._problem.names)} parameters did not converge in {MAX_ITERATIONS} iterations: the "
+            f"the fit of {len(problem.names)} parameters did not converge in {MAX_ITERATIONS} iterations: the "
             f"last ones promised to lower chi2 by {last}. Try a smaller model, a TSVD or priors."
         )
+    noise = _shared_noise(problem, rows.weights, end.at.machine.x)
+    return Fit(
+        problem=problem,
+        errors=end.at.errors,
+        machine=end.at.machine,
+        instrument=end.at.instrument,
+        residual=model.residuals,
+        weights=rows.weights,
+        sigma=rows.sigma,
+        solution=model.solution,
+        covariance=_joint_covariance(model.solution, model.system, problem.scale, noise),
+        repeats=rows.shared,
+        history=end.promised,
+        status=end.status,
+    )
 
 
 def rough(problem: Problem, robust: bool = True, must_converge: bool = True) -> Fit:

@@ -10,6 +10,7 @@ import numpy as np
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.residuals import GROSS, Repeats, lengths, rms
 from deltacal_gen.estimation.solvers import Solution
+from deltacal_gen.inference.least_squares import LITTLE, Status
 from deltacal_gen.instrument.kind import Instrument
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.deformed import Deformed
@@ -39,6 +40,8 @@ class Fit:
         Joint, of the free parameters and the instrument's unknowns [mm, rad].
     history : list of float
         What each iteration could still gain in chi2.
+    status : Status
+        Why the iteration ended.
     """
 
     problem: Problem
@@ -52,6 +55,17 @@ class Fit:
     covariance: Array
     repeats: Repeats
     history: list[float] = field(default_factory=list)
+    status: Status = Status.CONVERGED
+
+    @property
+    def unsettled(self) -> tuple[str, ...]:
+        """Why the iteration ended, in words, where a further step still promised something."""
+        if self.status is Status.CONVERGED or self.history[-1] < LITTLE:
+            return ()
+        return (
+            f"the fit did not converge ({self.status.value} after {len(self.history)} iterations): its next step still "
+            f"promised to lower chi2 by {self.history[-1]:.2g}. Compare the result with that of a smaller model.",
+        )
 
     @property
     def parameters(self) -> dict[str, float]:

@@ -34,6 +34,14 @@ class Linearised(NamedTuple):
     J_m: Array
 
 
+class State(NamedTuple):
+    """A machine with given parameters and an instrument: where an iteration stands."""
+
+    errors: Array
+    instrument: Instrument
+    machine: Deformed
+
+
 @dataclass(frozen=True, eq=False)
 class Problem:
     """A robot, its readings, and which parameters are free.

@@ -18,7 +18,7 @@ import numpy as np
 
 from deltacal_gen.errors import InputError
 from deltacal_gen.estimation.fitted import SEEN, Fit
-from deltacal_gen.estimation.steps import State, following
+from deltacal_gen.estimation.problem import State
 from deltacal_gen.estimation.system import System, system
 
 if TYPE_CHECKING:
@@ -122,7 +122,7 @@ class _Beside:
         found = self._fit
         errors = found.errors.copy()
         errors[found.problem.columns] += aside * found.problem.scale
-        instrument = found.instrument.stepped(following(self._system, aside))
+        instrument = found.instrument.stepped(self._system.following(aside))
         return State(errors, instrument, found.problem.solve(errors, near=found.machine))
 
     def gradient(self, aside: Array) -> Array:

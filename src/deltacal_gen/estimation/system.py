@@ -14,7 +14,7 @@ import numpy as np
 
 from deltacal_gen.estimation.problem import Linearised
 from deltacal_gen.estimation.residuals import Repeats
-from deltacal_gen.estimation.solvers import triangle
+from deltacal_gen.estimation.solvers import WEAKEST, triangle
 from deltacal_gen.machine.registry import Array
 
 STRONG = 1e-2  # of the largest singular value of such columns: the instrument is led along arcs there
@@ -71,14 +71,13 @@ class System:
         """Return the system of some of its rows, weighed as all are."""
         return dataclasses.replace(self, rows=shared.parted(self.rows, chosen, weights))
 
-    def rest(self, s: Array, t: Array) -> Array:
-        """Return what a step leaves of the rows (scalars,)."""
-        return np.asarray(self.rows @ np.concatenate([-t, -s, [1.0]]))
-
-    def left(self, s: Array, t: Array) -> float:
-        """Return the square sum of what a step leaves of the rows."""
-        rest = self.triangle @ np.concatenate([-t, -s, [1.0]])
-        return float(rest @ rest)
+    def following(self, s: Array) -> Array:
+        """Return the instrument's step (n_m,) that goes best with a step of the parameters."""
+        if not self.n_m:
+            return np.zeros(0)
+        R, along = self.instrument
+        size = length_of(R)
+        return np.linalg.lstsq(R / size, along[:, -1] - along[:, :-1] @ s, rcond=WEAKEST)[0] / size
 
     @cached_property
     def back(self) -> Array:

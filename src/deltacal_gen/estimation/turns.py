@@ -8,8 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from deltacal_gen.estimation.problem import Problem
-from deltacal_gen.estimation.steps import State
+from deltacal_gen.estimation.problem import Problem, State
 from deltacal_gen.machine.registry import Array
 
 TURNED = 0.1  # rad: standard deviation of a turn; half a turn costs 2 / TURNED^2 of chi2 then, less than misfit may

@@ -130,7 +130,7 @@ class Identification:
             uncertainty=self.uncertainty,
             unit=unit and unit[0],
             unit_mm=unit and unit[1],
-            doubts=(*doubts(final), *doubted(problem, final)) or None,
+            doubts=(*final.unsettled, *doubts(final), *doubted(problem, final)) or None,
             motion=recording.motion,
         )
 

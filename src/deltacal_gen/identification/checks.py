@@ -339,7 +339,7 @@ def copied(recording: Recording) -> tuple[str, ...]:
 
     Where any repeat differs, those that agree do so by chance or by their rounding.
     """
-    told = [recording.tool, *(recording.channels[name] for name in sorted(recording.channels))]
+    told = [recording.tool, *recording.channels.values()]
     beside = [np.asarray(v, dtype=float).reshape(recording.n_rows, -1) for v in told if v is not None]
     posed = numbered(np.column_stack([recording.joints, recording.setup]))
     whole = np.nan_to_num(np.column_stack([posed, recording.measured, *beside]), nan=np.inf)

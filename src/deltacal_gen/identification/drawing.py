@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 
-from deltacal_gen.errors import NoSolutionError
 from deltacal_gen.estimation.fit import fit, held_out
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.prior import unsaid, with_prior
@@ -15,7 +14,7 @@ from deltacal_gen.estimation.residuals import lengths, rms
 from deltacal_gen.estimation.solvers import LeastSquares, Prior
 from deltacal_gen.files.robot import robot_size
 from deltacal_gen.identification.folds import folds
-from deltacal_gen.identification.mistakes import AS_NEAR, EXPLAINED, NEARER
+from deltacal_gen.identification.mistakes import AS_NEAR, EXPLAINED, NEARER, attempt
 from deltacal_gen.identification.noise import coordinate_sigma, noise
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.results.parts import Source
@@ -42,19 +41,17 @@ def as_read(at: Fit, *, robust: bool = True) -> Fit | None:
     parts = folds(problem.readings, problem.recording)
     drawn, said = with_prior(problem.with_names(problem.names), problem.robot)
     how: dict[str, Any] = {"robust": robust, "must_converge": False}
-    worth = PROMISED * problem.readings.n_scalars
+    begun = {"instrument": at.instrument, "tolerance": PROMISED * problem.readings.n_scalars, "across": True}
     for wider in WIDER:
         scale = problem.scale.copy()
         scale[:count] = drawn.scale[:count] * np.where(said, 1.0, wider)
         wide = dataclasses.replace(problem, scale=scale)
-        try:
-            other = fit(wide, Prior(), errors=at.errors, instrument=at.instrument, tolerance=worth, across=True, **how)
-            if other.rms() < AS_NEAR * EXPLAINED * at.rms():
-                other = fit(wide, Prior(), errors=other.errors, instrument=other.instrument, **how)
-        except NoSolutionError:
+        other = attempt(fit, wide, Prior(), errors=at.errors, **begun, **how)
+        if other and other.rms() < AS_NEAR * EXPLAINED * at.rms():
+            other = attempt(fit, wide, Prior(), errors=other.errors, instrument=other.instrument, **how)
+        if not other or other.rms() >= EXPLAINED * at.rms():
             continue
-        explains = other.rms() < EXPLAINED * at.rms()
-        if explains and held_out(other, Prior(), parts) < NEARER * held_out(at, Prior(), parts):
+        if held_out(other, Prior(), parts) < NEARER * held_out(at, Prior(), parts):
             return other
     return None
 
@@ -97,7 +94,7 @@ def doubts(at: Fit) -> tuple[str, ...]:
         return ()
     moved, off = _departure(as_drawn)
     order = np.argsort(-np.abs(off))[:FARTHEST]
-    kinds = [drawn.mechanism.parameters[drawn.mechanism.index[drawn.names[k]]] for k in order]
+    kinds = [drawn.mechanism.parameters[drawn.columns[k]] for k in order]
     told = (
         f"{p.name} by {moved[k] / to_internal(p.unit):+.3g} {file_unit(p.unit)} "
         f"where {drawn.scale[k] / to_internal(p.unit):.2g} is much"

@@ -187,7 +187,7 @@ def _fine(problem: Problem, rule: Solver, first: Fit, robust: bool) -> Fit:
 
 def _calibrated(robot: Robot, final: Fit, names: Sequence[str]) -> Robot:
     """Return the robot with the source errors of a fit."""
-    found = zip((p.name for p in final.problem.mechanism.parameters), final.errors.tolist(), strict=True)
+    found = zip(final.problem.mechanism.index, final.errors.tolist(), strict=True)
     return dataclasses.replace(robot, errors={name: value for name, value in found if value or name in names})
 
 
@@ -247,12 +247,8 @@ def _held_out(final: Fit, rule: Solver, robust: bool) -> tuple[Fit, float]:
 def _solver(name: str | Solver, truncation: int | str, sigma: float | None) -> Solver:
     if not isinstance(name, str):
         return name
-    rules: dict[str, Callable[[], Solver]] = {
-        "prior": Prior,
-        "least-squares": LeastSquares,
-        "tsvd": partial(TSVD, truncation, sigma),
-        "ridge": Ridge,
-    }
+    rules: dict[str, Callable[[], Solver]] = {"prior": Prior, "least-squares": LeastSquares}
+    rules |= {"tsvd": partial(TSVD, truncation, sigma), "ridge": Ridge}
     if name not in rules:
         raise UnknownName(f"there is no solver '{name}'; known: {', '.join(rules)}.")
     return rules[name]()

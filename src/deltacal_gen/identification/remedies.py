@@ -123,7 +123,7 @@ def _printed(final: Fit) -> tuple[Remedy, ...]:
         told = [
             f"{names[j]} {along[j] / to_internal(unit):+.2g} {file_unit(unit)}".removesuffix(" 1")
             for j in np.argsort(-size)[:4]
-            for unit in [mechanism.parameters[mechanism.index[names[j]]].unit]
+            for unit in [mechanism.parameters[every.columns[j]].unit]
         ]
         text = (
             f"print two marks {2 * wide:.0f} mm apart through the centre, {turns[k] / DEG:.0f} deg from x, and measure "

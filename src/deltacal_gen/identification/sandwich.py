@@ -19,6 +19,7 @@ from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.series import Series, sequence
 from deltacal_gen.estimation.system import in_unit_noise, length_of
+from deltacal_gen.inference.functions import walk
 from deltacal_gen.inference.likelihood import MixedModel, unit_variance
 from deltacal_gen.inference.noise import NoiseModel
 from deltacal_gen.machine.registry import Array
@@ -101,8 +102,7 @@ def _creep(at: Fit) -> Array:
     problem = at.problem
     if problem.readings.kind.sees_joints or len(at.residual) < 2 * MODES:
         return np.zeros((*at.residual.shape, 0))
-    k = np.arange(MODES) + 0.5
-    functions = np.sin(np.pi * k * (1 - _passed(problem))[:, None]) * np.sqrt(2) / (np.pi * k)
+    functions = walk(1 - _passed(problem), MODES)
     dx = problem.displacements(at.machine)[:, :, problem.mechanism.limbs :]
     J, _ = at.instrument.linearise(problem.readings, problem.seen(at.machine), dx)
     return (J[:, :, None] * functions[:, None, :, None]).reshape(*J.shape[:2], -1)

@@ -94,6 +94,8 @@ class Form:
     states : tuple of str
     length : int
         Parts that there are to say of it: the price goes with it.
+    curves : tuple of Curve
+        Those of which it is the product; none of one with several functions.
     """
 
     factors: tuple[tuple[str, ...], ...]
@@ -126,7 +128,7 @@ class Form:
 
 def single(state: str, atom: Atom) -> Form:
     """Return a form of one state."""
-    return Form(((atom.text,),), atom.constants, (state,), atom.length)
+    return Form(((atom.text,),), atom.constants, (state,), atom.length, (Curve(state, (atom,)),))
 
 
 def wave(state: str, frequency: float) -> Form:
@@ -134,19 +136,17 @@ def wave(state: str, frequency: float) -> Form:
     return Form(((f"cos({{0}}*{state})",), (f"sin({{0}}*{state})",)), (frequency,), (state,), 3)
 
 
-def modulated(state: str, frequency: float, other: tuple[str, Atom]) -> Form:
-    """Return a wave of a state times a function of another one."""
-    moved = CONSTANT.sub(lambda m: f"{{{int(m[1]) + 1}}}", other[1].text)
-    each = tuple((f"{f}({{0}}*{state})", moved) for f in ("cos", "sin"))
-    return Form(each, (frequency, *other[1].constants), (state, other[0]), other[1].length + 4)
+def sines(state: str, frequency: float) -> tuple[Curve, ...]:
+    """Return the parts of a wave."""
+    return tuple(Curve(state, (Atom(f"{f}({{0}}*{state})", (frequency,), 2),)) for f in ("cos", "sin"))
 
 
-def product(a: tuple[str, Atom], b: tuple[str, Atom], beside: bool = False) -> Form:
-    """Return a product of functions of two states; `beside` it the first one alone, as the second has no zero."""
-    moved = CONSTANT.sub(lambda m: f"{{{int(m[1]) + len(a[1].constants)}}}", b[1].text)
-    both, alone = (a[1].text, moved), (a[1].text,)
-    length = a[1].length + b[1].length + 1 + beside
-    return Form((both, alone) if beside else (both,), a[1].constants + b[1].constants, (a[0], b[0]), length)
+def product(a: tuple[str, Atom], b: tuple[str, Atom]) -> Form:
+    """Return a product of functions of two states."""
+    moved = renumbered(b[1].text, len(a[1].constants))
+    curves = Curve(a[0], (a[1],)), Curve(b[0], (b[1],))
+    length = a[1].length + b[1].length + 1
+    return Form(((a[1].text, moved),), a[1].constants + b[1].constants, (a[0], b[0]), length, curves)
 
 
 def lagging(state: str, tau: float) -> Atom:
@@ -240,19 +240,6 @@ def renumbered(text: str, by: int) -> str:
 def calm(atom: Atom) -> bool:
     """Tell whether a function goes on no faster than a straight line beyond where it was seen."""
     return not re.match(r"exp\(-?\w+/|.*\*\*[23]$|\w+\*Abs", atom.text)
-
-
-def factors(state: str, values: Array, lags: Sequence[float] = ()) -> list[Atom]:
-    """Return functions of a state of which products are made where one explains much: coarser than `full`."""
-    out = [*linear(state, values), *simple(state, values)[len(plain(state, values)) :]]
-    late = [lagging(state, tau) for tau in lags[1::3]]
-    if switch(values):
-        return out + late
-    most = float(np.abs(values).max())
-    if values.min() < NEAR_ZERO * float(np.ptp(values)):
-        out += [Atom(f"exp(-({state}/{{0}})**2)", (s * most,), 4) for s in (0.2, 0.6)]
-    out += [Atom(f"log(1 + Abs({state})/{{0}})", (s * most,), 4) for s in (0.1, 0.5)]
-    return out + late
 
 
 def slow_waves(values: Array) -> list[float]:

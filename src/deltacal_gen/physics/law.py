@@ -23,6 +23,7 @@ from deltacal_gen.physics.targets import target_of
 from deltacal_gen.states import State
 
 PREFIX = "law "
+EVERY = "every "  # before a target of limbs that share one coefficient: ``law every joint = c1*q**2``
 ROUNDING = 1e-9  # of the width that was seen: less beyond it is none
 SEEN_AT = 1000  # points of the ranges of its states at which is seen by how much a law varies there
 STEP = 1e-3  # of the width that was seen: from where to its end a law is straight
@@ -40,7 +41,7 @@ class Law:
     Parameters
     ----------
     name : str
-        ``law TARGET = FORMULA``.
+        ``law TARGET = FORMULA``; ``law every TARGET = FORMULA`` where all limbs share its coefficients.
 
     Raises
     ------
@@ -54,14 +55,16 @@ class Law:
 
     def __init__(self, name: str) -> None:
         target, equals, text = name.removeprefix(PREFIX).partition(" = ")
-        if not name.startswith(PREFIX) or not equals or target not in TARGETS:
+        moved, self.target = target.removeprefix(EVERY), target
+        unknown = moved not in TARGETS or (moved != target and TARGETS[moved] != "limb")
+        if not name.startswith(PREFIX) or not equals or unknown:
             known = ", ".join(TARGETS)
             raise ValueError(f"'{name}' is no law: write '{PREFIX}TARGET = FORMULA', TARGET one of {known}.")
         self.NAME, self.formula = name, formula(text)
         self.TITLE = f"{target} {'is more' if target == 'torque' else 'moves'} by {text}"
-        self.ACTS_ON = TARGETS[target]
-        self.PER_LIMB = self.ACTS_ON in ("limb", "drive")
-        self.TARGETS = (target,)
+        self.ACTS_ON = TARGETS[moved]
+        self.PER_LIMB = self.ACTS_ON in ("limb", "drive") and moved == target
+        self.TARGETS = (moved,)
         coefficients = self.formula.linear
         own = [n for n in self.formula.names if n not in coefficients and is_constant(n)]
         self.inner: tuple[str, ...] = tuple(own)
@@ -86,7 +89,7 @@ class Law:
             if s.by or s.kind == "reading":
                 raise ValueError(f"'{self.NAME}': no law is made of {s.name}.")
             own = s.per in ("joint", "limb") and not s.joint
-            if own and not self.PER_LIMB:
+            if own and self.ACTS_ON not in ("limb", "drive"):
                 raise ValueError(f"'{self.NAME}': every limb has a {s.name} of its own; {s.name}_1 is that of joint 1.")
             if self.ACTS_ON == "reading" and (s.kind == "load" or s.of_geometry):
                 raise ValueError(f"'{self.NAME}': a reading does not depend on {s.name} but through the pose.")

@@ -55,7 +55,7 @@ def effect_file(told: LawOf, path: Path) -> str:
     taken = ["coefficient", *["covariate"] * bool(recorded), *["state"] * bool(own)]
     targets: dict[str, list[str]] = {}
     for p in parts:
-        targets.setdefault(p.term.target, []).append(p.formula)
+        targets.setdefault(p.law.TARGETS[0], []).append(p.formula)
     lines = [
         f'"""TO BE SAID: what this is. Found by ``deltacal diagnose``: {found}."""\n',
         *(["import sympy as sp\n"] if any("sp." in p.formula for p in parts) else []),
@@ -148,7 +148,7 @@ def _reference(told: LawOf, parts: Sequence[_Part], states: Sequence[str]) -> st
     for p in parts:
         known = at | {c.name: c.value for c in reversed(p.term.coefficients)}
         known |= {f"Lag({s}, {tau})": at[s] for s, tau in p.law.lags}
-        moved[p.term.target] = moved.get(p.term.target, 0.0) + float(p.law.formula({**known}))
+        moved[p.law.TARGETS[0]] = moved.get(p.law.TARGETS[0], 0.0) + float(p.law.formula({**known}))
     turned = {s: float(unit(inside(named(s), "rad")).get("rad", 0)) for s in states}
     given = {s: at[s] / DEG ** turned[s] for s in states} | {f"lag_{n}": at[s] for n, (s, _) in enumerate(lags, 1)}
     size = {n: v / _of_files(u)[1] for p in parts for n, (v, u) in p.coefficients.items()}

@@ -25,7 +25,7 @@ from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.body import AXES
 from deltacal_gen.physics.formula import formula
 from deltacal_gen.physics.grammar import CONSTANT, LAGS, Form
-from deltacal_gen.physics.law import PREFIX, followed, load_law
+from deltacal_gen.physics.law import EVERY, PREFIX, followed, load_law
 from deltacal_gen.physics.memory import recursion
 from deltacal_gen.physics.parts import has_load
 from deltacal_gen.physics.terms import Term, blank
@@ -57,7 +57,10 @@ class Place:
 
 @dataclass(frozen=True)
 class Tried:
-    """A form at a place: gain in chi2 on the limbs that carry it, and price of the choice."""
+    """A form at a place: gain in chi2 on the limbs that carry it, and price of the choice.
+
+    Limbs have coefficients of their own; where none is named, all that there are share one.
+    """
 
     target: str
     form: Form
@@ -88,7 +91,6 @@ class Ground:
         self.coarse: dict[
             tuple[tuple[str, ...], bool], list[Form]
         ] = {}  # forms that were looked at first, by what may be read
-        self._kept: dict[tuple[int, int, int], tuple[Sequence[Form], Array]] = {}
         self._factors: dict[tuple[str, tuple[float, ...]], Array] = {}
         self._at_rows: dict[str, tuple[Array, Array, Array]] = {}  # of places, by target
 
@@ -183,13 +185,7 @@ class Ground:
 
     def values(self, form: Form) -> Array:
         """Return what a form's functions are at the readings, (R, limbs or 1, functions)."""
-        each = [self._function(f, form.constants) for f in form.factors]
-        if len(each) == 1:
-            return each[0][:, :, None]
-        out = np.empty((len(self.rows), max(v.shape[1] for v in each), len(each)))
-        for k, v in enumerate(each):
-            out[:, :, k] = v
-        return out
+        return np.stack(np.broadcast_arrays(*(self._function(f, form.constants) for f in form.factors)), axis=2)
 
     def _function(self, factors: tuple[str, ...], constants: tuple[float, ...]) -> Array:
         """Return a product at the readings, (R, limbs or 1)."""
@@ -198,25 +194,6 @@ class Ground:
             for f in factors[1:]:
                 out = out * self._factor(f, constants)
         return out
-
-    def batches(self, forms: Sequence[Form]) -> Iterator[tuple[list[Form], Array]]:
-        """Yield forms with equally many functions, so many that their columns fill a chunk, and their values.
-
-        The values (R, limbs or 1, forms * functions) of what was looked at before are kept.
-        """
-        for width in (1, 2):
-            own = [f for f in forms if len(f.factors) == width]
-            step = CHUNK // (self.problem.mechanism.limbs * width)
-            for start in range(0, len(own), step):
-                some = own[start : start + step]
-                key = id(forms), width, start
-                if key not in self._kept:
-                    each = [self._function(fs, f.constants) for f in some for fs in f.factors]
-                    values = np.empty((len(self.rows), max(v.shape[1] for v in each), len(each)))
-                    for k, v in enumerate(each):
-                        values[:, :, k] = v
-                    self._kept[key] = forms, values
-                yield some, self._kept[key][1]
 
     def _factor(self, text: str, constants: tuple[float, ...]) -> Array:
         """Return what a factor of a function is at the readings, (R, limbs or 1), computed once."""
@@ -234,16 +211,6 @@ class Ground:
         known |= {f"Lag({s}, {tau})": self.lagged(s, names[tau]) for s, tau in f.lags}
         out = np.nan_to_num(f(known), posinf=0.0, neginf=0.0)
         return out if out.ndim else np.full((len(self.rows), 1), float(out))
-
-    def farther(self, form: Form, part: float) -> Array:
-        """Return what `values` does, of states that reach beyond both of their ends by a part of their width."""
-        states = {}
-        for name in form.states:
-            v = self._of(name)
-            middle = 0.5 * (v.min() + v.max())
-            states[name] = middle + (1 + 2 * part) * (v - middle)
-        each = [[self._computed(t, form.constants, states) for t in factors] for factors in form.factors]
-        return np.stack([functools.reduce(np.multiply, some) for some in each], axis=2)
 
     def lagged(self, state: str, tau: float) -> Array:
         """Return a state as it lags, at the readings (R, limbs or 1); by no time, or less, it does not.
@@ -287,10 +254,11 @@ class Ground:
 
         `values` are its coefficients (limbs or 1, n), `steps` one for each constant.
         """
-        own, at, out = [i - 1 for i in limbs] or [0], np.array(form.constants), []
+        at, out = np.array(form.constants), []
         for step in np.diag(steps):
-            ends = [self.columns(place, self.values(form.with_constants(c)))[:, :, own] for c in (at + step, at - step)]
-            out.append(np.einsum("snl,ln->s", ends[0] - ends[1], values) / (2 * step.max()))
+            forms = (form.with_constants(c) for c in (at + step, at - step))
+            ends = [on(self.columns(place, self.values(f)), limbs) for f in forms]
+            out.append(np.einsum("snl,ln->s", ends[0] - ends[1], values) / (2 * step.sum()))
         return np.column_stack(out) if out else np.zeros((self.beside.readings, 0))
 
     def normal(self, columns: Array) -> tuple[Array, Array, Array]:
@@ -311,8 +279,17 @@ class Ground:
         G = np.swapaxes(C3, 1, 2) @ C3 - np.swapaxes(I3, 1, 2) @ I3
         return G, b.reshape(n, m), size.reshape(n, m)
 
-    def normal_of(self, place: Place, forms: Sequence[Form], values: Array) -> tuple[Array, Array]:
-        """Return normal equations of forms with m functions each on all limbs, G (n, limbs * m, limbs * m) and b.
+    def systems(self, place: Place, forms: Sequence[Form]) -> Iterator[tuple[list[int], tuple[Array, Array, Array]]]:
+        """Yield which forms have equally many functions, some at a time, with their normal equations on all limbs."""
+        for m in sorted({len(f.factors) for f in forms}):
+            every = [k for k, f in enumerate(forms) if len(f.factors) == m]
+            step = max(CHUNK // (place.columns.shape[2] * m), 1)
+            for some in (every[at : at + step] for at in range(0, len(every), step)):
+                own = [forms[k] for k in some]
+                yield some, self._normal_of(place, own, np.dstack(np.broadcast_arrays(*map(self.values, own))))
+
+    def _normal_of(self, place: Place, forms: Sequence[Form], values: Array) -> tuple[Array, Array, Array]:
+        """Return normal equations of forms with m functions each, G (n, limbs * m, limbs * m), b and sizes.
 
         `values` (R, limbs or 1, n * m) are the forms' functions. Where the noise of each row is its own, what a place
         does to the readings of a row comes down to few numbers, and no column is ever written out.
@@ -322,7 +299,7 @@ class Ground:
         if not self.beside.fit.repeats.by_row:
             C = self.columns(place, values, states)
             C = np.swapaxes(C.reshape(len(C), n, m, limbs), 2, 3).reshape(len(C), n, -1)
-            return self.normal(C)[:2]
+            return self.normal(C)
         W, Q, r = self._in_rows(place)
         each = np.where(_others(states, limbs).T, values, 0.0)
         with np.errstate(over="ignore", invalid="ignore"):
@@ -337,7 +314,8 @@ class Ground:
         for (s, (k, i)), (t, (l, j)) in itertools.combinations_with_replacement(enumerate(own), 2):
             both = np.einsum("rn,rn->n", W[:, k, l, None] * each[:, k, i::m], each[:, l, j::m])
             G[:, s, t] = G[:, t, s] = both - np.einsum("qn,qn->n", inside[k][:, i::m], inside[l][:, j::m])
-        return G, np.moveaxis(b.reshape(limbs, n, m), 0, 1).reshape(n, -1)
+        by_form = (np.moveaxis(v.reshape(limbs, n, m), 0, 1).reshape(n, -1) for v in (b, size))
+        return G, *by_form
 
     def _in_rows(self, place: Place) -> tuple[Array, Array, Array]:
         """Return what a place does to each row, whitened: times itself, times `Q` and times the residual.
@@ -355,30 +333,45 @@ class Ground:
 
     def term(self, target: str, form: Form, limbs: tuple[int, ...]) -> Term:
         """Return a form as a term of a fit, its coefficients as they explain most here, and where it was found."""
-        law = load_law(f"{PREFIX}{target} = {form.text}")
+        every = EVERY if self.place(target).limbs and not limbs else ""
+        law = load_law(f"{PREFIX}{every}{target} = {form.text}")
         ends = [float(end(self._seen(s, limbs))) for s in law.STATE for end in (np.min, np.max)]
         inner = {f"c{len(form.functions) + k}": c for k, c in enumerate(form.constants, 1)}
         term = blank(law.NAME, limbs, (*(inner[name] for name in law.inner), *ends))
-        G, b, size = self._system(self.place(target), form, limbs)
+        G, b, size = (v[0] for v in self.normal(self.of(self.place(target), form, limbs)[:, None]))
         values = np.linalg.pinv(G, rcond=1e-8, hermitian=True) @ b / np.where(size > 0, size, 1.0)
         return term.with_values(values)
 
     def gain(self, place: Place, form: Form, limbs: tuple[int, ...]) -> float:
         """Return by how much a form on some limbs lowers chi2 beside all that is fitted."""
-        G, b, _ = self._system(place, form, limbs)
-        return float(gains(G[None], b[None])[0])
+        return float(gains(*self.normal(self.of(place, form, limbs)[:, None])[:2])[0])
 
-    def _system(self, place: Place, form: Form, limbs: tuple[int, ...]) -> tuple[Array, Array, Array]:
-        """Return normal equations of a form's coefficients, limb by limb, and the sizes of their columns."""
-        C = self.columns(place, self.values(form))
-        own = [i - 1 for i in limbs] or [0]
-        flat = np.swapaxes(C[:, :, own], 1, 2).reshape(len(C), 1, -1)
-        G, b, size = self.normal(flat)
-        return G[0], b[0], size[0]
+    def of(self, place: Place, form: Form, limbs: tuple[int, ...]) -> Array:
+        """Return whitened columns (scalars, n) of a form on some limbs, limb by limb."""
+        C = on(self.columns(place, self.values(form)), limbs)
+        return np.swapaxes(C, 1, 2).reshape(len(C), -1)
 
     def _seen(self, state: str, limbs: tuple[int, ...]) -> Array:
         values = self._of(state)
         return values[:, [i - 1 for i in limbs]] if values.ndim == 2 and limbs else values
+
+
+def on(columns: Array, limbs: tuple[int, ...]) -> Array:
+    """Return columns (..., limbs or 1) of limbs that have coefficients of their own; of none, of all at once."""
+    return columns[..., [i - 1 for i in limbs]] if limbs else columns.sum(axis=-1, keepdims=True)
+
+
+def joined(system: tuple[Array, Array, Array], limbs: tuple[int, ...], every: int) -> tuple[Array, Array]:
+    """Return normal equations of functions on some of `every` limbs, as `on` does with columns, of those on all."""
+    G, b, size = system
+    n, m = len(G), G.shape[1] // every
+    if limbs:
+        at = [(i - 1) * m + j for i in limbs for j in range(m)]
+        return G[:, at][:, :, at], b[:, at]
+    by = size.reshape(n, every, m)
+    by = by / np.maximum(np.sqrt((by**2).sum(axis=1, keepdims=True)), 1e-300)
+    G = np.einsum("nki,nkilj,nlj->nij", by, G.reshape(n, every, m, every, m), by)
+    return G, (by * b.reshape(n, every, m)).sum(axis=1)
 
 
 @functools.lru_cache(maxsize=100_000)

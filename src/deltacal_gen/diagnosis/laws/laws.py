@@ -9,15 +9,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from deltacal_gen.diagnosis.charges import MARGIN, gains, quantile
-from deltacal_gen.diagnosis.discrimination import Question
+from deltacal_gen.diagnosis.charges import MARGIN, gains
+from deltacal_gen.diagnosis.designs import Question
 from deltacal_gen.diagnosis.laws.ground import Ground, Tried
-from deltacal_gen.diagnosis.laws.proof import MOST_POSES, SEED, Instead, Proof, judged, proven
+from deltacal_gen.diagnosis.laws.proof import Proof, goes_with_time, judged, parted
 from deltacal_gen.diagnosis.laws.screen import counted, stands_out
-from deltacal_gen.diagnosis.laws.search import Grown, curved, fitted, polished, unexplained
-from deltacal_gen.diagnosis.refits import COMPARED, refitted, terms_of
+from deltacal_gen.diagnosis.laws.search import Hypothesis, fitted, grow, polished, shaped_all
+from deltacal_gen.diagnosis.refits import COMPARED, form, refitted, terms_of
 from deltacal_gen.diagnosis.strategy import Outcome
-from deltacal_gen.diagnosis.structure import by_instrument
 from deltacal_gen.diagnosis.wandering import following_walks
 from deltacal_gen.errors import InputError
 from deltacal_gen.estimation.fitted import Fit
@@ -26,8 +25,9 @@ from deltacal_gen.identification.together import deviance_of, together
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.law import is_law
 from deltacal_gen.physics.terms import Term
-from deltacal_gen.states import named
 
+MOST_POSES, SEED = 250, 1859  # on which a law is sought, drawn at random where there are more; all are asked at last
+FEWEST = 3  # readings on which a law is found, and that are asked
 MOST = 5  # laws that are told
 RIVALS = 10.0 + 4 * 10.0**0.5  # of chi2, as for effects: a law that earns less than that less is not told from the best
 DOUBTED = 2  # terms that earn least: of these a fit without each is asked whether it is needed
@@ -71,8 +71,6 @@ class Lawful:
         Deviance, and the price of the law and of the names beside it.
     unsure : tuple of Unsure
         Of each term.
-    whole : bool
-        Whether what it leaves is noise.
     count : int
         Forms, place by place, among which its last term was looked for at last; 0 for rivals.
     runners_up : tuple of Tried
@@ -85,7 +83,6 @@ class Lawful:
     gain: float
     cost: float
     unsure: tuple[Unsure, ...]
-    whole: bool = True
     count: int = 0
     runners_up: tuple[Tried, ...] = ()
 
@@ -139,16 +136,16 @@ def laws(found: Outcome, progress: Callable[[str], None], doubted: bool = False)
     problem, at = found.problem, found.search.fit
     if problem.readings.rows.shape[1] != 1:
         return Sought()  # of distances, either end could be moved
-    names = [t for t in terms_of(at) if not is_law(t.effect)]
-    more = found.unexplained or (bool(names) and stands_out(Ground(at)))
+    # rows that hang together are the law's doing, where there is one; its price is compared with theirs
+    named = Hypothesis(dataclasses.replace(at, repeats=at.repeats.as_plain()), prices=_prices(found))
+    more = found.unexplained or (bool(named.names) and stands_out(Ground(at)))
     if not (more or doubted):
         return Sought()
-    # rows that hang together are the law's doing, where there is one; its price is compared with theirs
-    white = dataclasses.replace(at, repeats=at.repeats.as_plain())
+    progress("laws")
     out = Sought()
-    for terms in ([], names) if names and more else ([],):
+    for names in ([], named.names) if named.names and more else ([],):
         try:
-            out = _beside(found, white, terms, names, progress)
+            out = _beside(problem, named, names, found)
         except InputError:
             continue  # under it the machine cannot stand where it stood: it is no law
         if out.laws:
@@ -156,123 +153,90 @@ def laws(found: Outcome, progress: Callable[[str], None], doubted: bool = False)
     return out
 
 
-def _beside(
-    found: Outcome, white: Fit, beside: Sequence[Term], names: Sequence[Term], progress: Callable[[str], None]
-) -> Sought:
-    """Return what `laws` does, of laws found beside some of the named effects."""
-    problem = found.problem
-    base = refitted(problem, white, beside)
-    if base is None:
-        return Sought()
-    progress("laws")
-    instead = Instead() if beside else Instead(names, sum(_prices(names, found)))
-    proof = proven(problem, base, instead, again=not beside)
-    if proof is None:
-        return Sought()
-    if not proof.holds:
-        return Sought(doubtful=proof.grown.terms[0] if proof.share > 0 and not _by_others(proof.grown) else None)
-    some = problem.some(MOST_POSES, np.random.default_rng(SEED))
-    first = _of_all(some, base, proof.grown, names)
-    for grown in () if first is None else (curved(some, first), first):
-        for kept in _alone_first(some, base, proof.grown, _needed(some, grown, found), found):
-            whole = kept if some is problem or not kept.law else _of_all(problem, base, kept, kept.names)
-            if whole is None or not whole.law or whole.cost >= deviance_of(found.search.fit) or _by_others(whole):
-                continue
-            asked = _asked(problem, whole, proof)  # what is told is asked for as it is written
-            if asked is not None and asked.holds:
-                return Sought(tuple(_told(problem, _calm(problem, whole), asked, found)))
-    return Sought()
-
-
-def _by_others(grown: Grown) -> bool:
-    """Tell whether a law is better told of what goes by no law: an instrument that moves, or joints that wander."""
-    first = len(terms_of(grown.fit)) - len(grown.law)
-    prices = {first + i: t.price + MARGIN for i, t in enumerate(grown.law)}
-    return _moved(grown) or bool(following_walks(grown.fit, prices)[0])
-
-
-def _moved(grown: Grown) -> bool:
-    """Tell whether the instrument could have moved so: shifts and turns of it by the same functions explain as much.
-
-    That is asked of laws of limbs that read channels of the machine alone.
-    """
-    terms = terms_of(grown.fit)
-    first = len(terms) - len(grown.law)
-    for i, t in enumerate(grown.law):
-        ground = Ground(grown.fit).freed(first + i)
-        values = ground.values(t.form)
-        if not t.limbs or values.shape[1] > 1 or any(named(s).joint for s in t.form.states):
-            continue
-        own = ground.gain(ground.place(t.target), t.form, t.limbs) - len(t.limbs) * values.shape[2] * quantile(1, 1)
-        columns = by_instrument(grown.fit, ground.beside, values[:, 0])
-        G, b, _ = ground.normal(columns[:, None])
-        if float(gains(G, b)[0]) - columns.shape[1] * quantile(1, 1) > own:
-            return True
-    return False
-
-
-def _calm(problem: Problem, grown: Grown) -> Grown:
-    """Return a law beside noise that hangs together, where what it leaves does."""
-    calm = together(grown.fit)
-    if calm is None:
-        return grown
-    fit = refitted(problem, dataclasses.replace(grown.fit, repeats=calm), terms_of(grown.fit))
-    return grown if fit is None else dataclasses.replace(grown, fit=fit)
-
-
-def _prices(terms: Sequence[Term], found: Outcome) -> list[float]:
+def _prices(found: Outcome) -> dict[tuple[object, ...], float]:
     """Return what each named effect has to earn; waves of one finding share what they earn together."""
-    out = [0.0] * len(terms)
+    terms, out = terms_of(found.search.fit), dict[tuple[object, ...], float]()
     for own in found.search.grouped(terms):
-        for i in own:
-            out[i] = (found.search.price(*(terms[k] for k in own)) + MARGIN) / len(own)
+        whole = found.search.price(*(terms[k] for k in own)) + MARGIN
+        out |= {form(terms[k]): whole / len(own) for k in own}
     return out
 
 
-def _of_all(problem: Problem, base: Fit, grown: Grown, names: Sequence[Term]) -> Grown | None:
-    """Return a law that was found on a part of the readings as all have it, named effects beside it."""
-    found = refitted(problem, base, [*names, *grown.terms])
-    if found is None:
+def _beside(problem: Problem, named: Hypothesis, names: Sequence[Term], found: Outcome) -> Sought:
+    """Return what `laws` does, of laws found beside some of the named effects."""
+    if (base := refitted(problem, named.fit, names)) is None:
+        return Sought()
+    train, test = parted(problem, False)
+    law = _of_part(problem, base, named, train, test)
+    if law is not None and goes_with_time(problem, law):  # that is asked of what comes last
+        train, test = parted(problem, True)
+        law = _of_part(problem, base, named, train, test)
+    if law is None:
+        return Sought()
+    proof = judged(problem, law, train, test)
+    if proof is None or not proof.holds:
+        doubtful = proof is not None and proof.share > 0 and not _by_walks(law)
+        return Sought(doubtful=law.terms[0] if doubtful else None)
+    # a form that has the part of a name needs none: warmth times a gauge, and warmth, are warmth times its reading
+    every = (_of_all(problem, named, law, beside) for beside in (named.names, []))
+    whole = min((h for h in every if h is not None), key=lambda h: h.cost, default=named)
+    if not whole.law or whole.cost >= deviance_of(found.search.fit) + sum(named.charges) or _by_walks(whole):
+        return Sought()
+    asked = _asked(problem, whole, proof)  # what is told is asked for as it is written
+    if asked is None or not asked.holds:
+        return Sought()
+    calm = together(whole.fit)
+    still = calm and refitted(problem, dataclasses.replace(whole.fit, repeats=calm), terms_of(whole.fit))
+    return Sought(tuple(_told(problem, dataclasses.replace(whole, fit=still or whole.fit), asked)))
+
+
+def _of_part(problem: Problem, base: Fit, named: Hypothesis, train: np.ndarray, test: np.ndarray) -> Hypothesis | None:
+    """Return the law that a part (R,) of the readings has beside a fit; none that costs more than the named effects."""
+    if min(train.sum(), test.sum()) < FEWEST:
         return None
-    out = Grown(found, grown.law, (), deviance_of(found) + sum(t.price + MARGIN for t in grown.law))
-    for i in range(len(grown.law)):
+    part = problem.subset(np.flatnonzero(train)).some(MOST_POSES, np.random.default_rng(SEED))
+    first = refitted(part, base, terms_of(base))
+    instead = refitted(part, base, named.names, tolerance=COMPARED) if named.names and not terms_of(base) else None
+    most = np.inf if instead is None else dataclasses.replace(named, fit=instead).cost
+    return None if first is None else grow(part, first, most)
+
+
+def _by_walks(law: Hypothesis) -> bool:
+    """Tell whether a law is better told of what goes by no law: an instrument, or joints, that wander."""
+    charges = law.charges
+    return bool(following_walks(law.fit, {law.place(i): charges[law.place(i)] for i in range(len(law.law))})[0])
+
+
+def _of_all(problem: Problem, named: Hypothesis, law: Hypothesis, names: Sequence[Term]) -> Hypothesis | None:
+    """Return a law that was found on a part of the readings as all have it, beside those names that it needs."""
+    fit = refitted(problem, named.fit, [*names, *law.terms])
+    if fit is None:
+        return None
+    out = dataclasses.replace(named, fit=fit, law=law.law)
+    for i in range(len(law.law)):
         out = polished(problem, out, i)
-    return out
+    return _needed(problem, shaped_all(problem, out))
 
 
-def _alone_first(problem: Problem, base: Fit, law: Grown, kept: Grown, found: Outcome) -> list[Grown]:
-    """Return a law with the names that it needs; before it without any, where a form that has their part costs less.
-
-    Warmth times what a gauge reads, and warmth, are warmth times what the gauge reads from elsewhere on.
-    """
-    if not (kept.law and kept.names) or terms_of(base):
-        return [kept]
-    alone = _of_all(problem, base, law, [])
-    alone = None if alone is None else curved(problem, alone)
-    return [kept] if alone is None or _cost(alone, found) >= _cost(kept, found) else [alone, kept]
-
-
-def _needed(problem: Problem, grown: Grown, found: Outcome) -> Grown:
+def _needed(problem: Problem, now: Hypothesis) -> Hypothesis:
     """Return a law and named effects without what does not earn its price beside the rest, the worst first.
 
     Where a name and a term of the law explain the same, the name stays: it has the lower price. Which are the worst is
     told by the fit's own covariance; the exact fit is asked for `DOUBTED` of them.
     """
-    while True:
-        terms, now = terms_of(grown.fit), deviance_of(grown.fit)
-        count = len(terms) - len(grown.law)
-        prices = [*_prices(terms[:count], found), *(t.price + MARGIN for t in grown.law)]
-        order = sorted(range(len(terms)), key=lambda i: _earned(grown.fit, i) - prices[i])
+    while now.law:
+        terms, charges = terms_of(now.fit), now.charges
+        order = sorted(range(len(terms)), key=lambda i: _earned(now.fit, i) - charges[i])
         for worst in order[:DOUBTED]:
-            at = refitted(problem, grown.fit, terms[:worst] + terms[worst + 1 :], tolerance=COMPARED)
-            if at is not None and deviance_of(at) - prices[worst] < now:
+            fit = refitted(problem, now.fit, terms[:worst] + terms[worst + 1 :], tolerance=COMPARED)
+            law = tuple(t for i, t in enumerate(now.law) if now.place(i) != worst)
+            fewer = None if fit is None else dataclasses.replace(now, fit=fit, law=law)
+            if fewer is not None and fewer.cost < now.cost:
+                now = fewer
                 break
         else:
-            return grown
-        law = tuple(t for k, t in enumerate(grown.law) if k != worst - count)
-        grown = Grown(at, law, (), deviance_of(at) + sum(t.price + MARGIN for t in law))
-        if not law:
-            return grown
+            break
+    return now
 
 
 def _earned(at: Fit, i: int) -> float:
@@ -284,79 +248,51 @@ def _earned(at: Fit, i: int) -> float:
     return float(sizes @ np.linalg.pinv(covariance / np.outer(std, std), hermitian=True) @ sizes)
 
 
-def _told(problem: Problem, grown: Grown, proof: Proof, found: Outcome) -> list[Lawful]:
+def _told(problem: Problem, best: Hypothesis, proof: Proof) -> list[Lawful]:
     """Return a law and its rivals, with how sure their numbers are.
 
     Each stands beside the names that it needs itself: a rival that needs fewer may cost less, and is then the law.
     """
-    terms = terms_of(grown.fit)
-    last = len(terms) - 1
-    ground = Ground(grown.fit).freed(last)
-    own = grown.law[-1]
+    ground, own = best.freed(-1), best.law[-1]
     gain = ground.gain(ground.place(own.target), own.form, own.limbs)
-    told = [(grown, proof)]
+    told, less = [(best, proof)], list[Tried]()
     every, count = counted(ground)
-    less: list[Tried] = []
     for other in every:
         more = set(other.form.states) > set(own.form.states)
         same = (other.target, set(other.form.states)) == (own.target, set(own.form.states))
-        if same or more or other.score < gain - own.price - RIVALS or len(told) == MOST:
-            less += [] if same else [other]
-            continue
-        rival = fitted(problem, grown, ground, other, (), len(grown.law) - 1)
-        if rival is not None and rival.names:
-            rival = _needed(problem, rival, found)
-        asked = _asked(problem, rival, proof) if rival is not None and len(rival.law) == len(grown.law) else None
+        near = not more and other.score >= gain - own.price - RIVALS and len(told) < MOST
+        rival = fitted(problem, best, ground, other, -1) if near and not same else None
+        rival = _needed(problem, rival) if rival is not None and rival.names else rival
+        asked = _asked(problem, rival, proof) if rival is not None and len(rival.law) == len(best.law) else None
         if rival is not None and asked is not None:
             told.append((rival, asked))
-        else:
+        elif not same and 0 < other.score < gain - own.price:
             less.append(other)
-    cost = [_cost(law, found) for law, _ in told]
-    best = min(range(len(told)), key=cost.__getitem__)
-    if best and (not told[best][1].holds or _by_others(told[best][0])):
-        best = 0
-    order = [best, *(k for k in range(len(told)) if k != best)]
-    first, *others = (_with_figures(*told[k], cost[k]) for k in order)
-    return [
-        dataclasses.replace(first, count=count, runners_up=tuple(t for t in less[:RUNNERS_UP] if t.score > 0)),
-        *others,
-    ]
+    able = [law for law, asked in told if law is best or (asked.holds and not _by_walks(law))]
+    told.sort(key=lambda pair: pair[0].cost if pair[0] in able else np.inf)
+    first, *others = (_with_figures(*pair) for pair in told)
+    return [dataclasses.replace(first, count=count, runners_up=tuple(less[:RUNNERS_UP])), *others]
 
 
-def _cost(grown: Grown, found: Outcome) -> float:
-    """Return the deviance of a law and the names beside it, and the price of all of them."""
-    names = sum(_prices(grown.names, found))
-    return deviance_of(grown.fit) + names + sum(t.price + MARGIN for t in grown.law)
-
-
-def _asked(problem: Problem, grown: Grown, proof: Proof) -> Proof | None:
+def _asked(problem: Problem, law: Hypothesis, proof: Proof) -> Proof | None:
     """Return what readings that were asked say of a law whose form is given, its numbers as the others have them."""
     part = problem.subset(np.flatnonzero(proof.train))
-    terms = terms_of(grown.fit)
-    without = refitted(part, grown.fit, terms[: len(terms) - len(grown.law)])
-    found = refitted(part, grown.fit, terms)
-    alone = refitted(part, grown.fit, []) if grown.names else without
-    if without is None or alone is None or found is None:
+    fit = refitted(part, law.fit, terms_of(law.fit))
+    if fit is None:
         return None
-    known = Grown(found, grown.law, (), deviance_of(found) + sum(t.price + MARGIN for t in grown.law))
-    for i in range(len(grown.law)):
+    known = dataclasses.replace(law, fit=fit)
+    for i in range(len(law.law)):
         known = polished(part, known, i)
-    return judged(problem, (without, alone), known, proof.train, proof.test)
+    return judged(problem, known, proof.train, proof.test)
 
 
-def _with_figures(grown: Grown, proof: Proof, cost: float) -> Lawful:
-    count, n = len(grown.law), len(terms_of(grown.fit))
-    ground = Ground(grown.fit)
-    without = ground.freed(*range(n - count, n))
-    unsure, columns = [], []
-    for i, (tried, term) in enumerate(zip(grown.law, terms_of(grown.fit)[n - count :], strict=True)):
-        unsure.append(_unsure(ground, ground.freed(n - count + i), tried, term))
-        place = without.place(tried.target)
-        C = without.columns(place, without.values(tried.form))[:, :, [k - 1 for k in tried.limbs] or [0]]
-        columns.append(C.reshape(len(C), -1))
+def _with_figures(law: Hypothesis, proof: Proof) -> Lawful:
+    ground, own = Ground(law.fit), [law.place(i) for i in range(len(law.law))]
+    unsure = (_unsure(ground, ground.freed(i), t, terms_of(law.fit)[i]) for i, t in zip(own, law.law, strict=True))
+    without = ground.freed(*own)
+    columns = [without.of(without.place(t.target), t.form, t.limbs) for t in law.law]
     G, b, _ = without.normal(np.hstack(columns)[:, None])
-    gain = float(b[0] @ np.linalg.pinv(G[0], rcond=1e-8, hermitian=True) @ b[0])
-    return Lawful(grown.fit, grown.law, proof, gain, cost, tuple(unsure), not unexplained(grown.fit))
+    return Lawful(law.fit, law.law, proof, float(gains(G, b)[0]), law.cost, tuple(unsure))
 
 
 def _unsure(ground: Ground, freed: Ground, tried: Tried, term: Term) -> Unsure:

@@ -1,23 +1,24 @@
 """Constants within a law (thresholds, scales, orders, time constants) where they explain most beside all else.
 
 Coefficients follow from the constants at once (variable projection; Golub and Pereyra 2003, Inverse Problems 19,
-R1-R26), so that Gauss and Newton step along the constants alone. Where a law jumps it has no derivative: there each
-constant is sought by itself.
+R1-R26), so that Gauss and Newton step along the constants alone. Where a law jumps it has no derivative: there a
+simplex (Nelder and Mead 1965) steps.
 """
 
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Callable
 
 import numpy as np
 
-from deltacal_gen.diagnosis.laws.ground import Ground, Place, Tried
+from deltacal_gen.diagnosis.laws.ground import Ground, Place, Tried, on
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.grammar import Form
 
 SUDDEN = ("Heaviside(", "Mod(")  # functions that jump where a constant says so
-STEPS = 60  # of the search along each constant
-SHARP = 0.15  # of a constant, in logarithms, or of the width of its state: its first step
+STEPS = 60  # of the simplex, for each constant
+SHARP = 0.04  # of a constant, in logarithms, or of the width of its state: the simplex at first
 ROUNDS, HARDER = 20, 5  # of Gauss and Newton; and attempts of each, damped ten times more
 ASIDE = 1e-4  # of a constant's size, by which its derivative is taken
 FARTHEST = 0.5  # of the same: how far a step goes
@@ -28,28 +29,43 @@ UNSEEN = 1e-20  # of the largest diagonal: less is rounding of a constant that m
 
 def refine(ground: Ground, place: Place, tried: Tried) -> Tried:
     """Return a form with its constants where it explains most, from where they are."""
-    form = tried.form
+    form, limbs = tried.form, tried.limbs
     if not form.constants:
         return tried
+    width = np.array([_width(ground, form, k) for k in range(len(form.constants))])
+
+    def moved(at: Array, step: Array) -> Form:
+        """Return the form with a step from some constants: of sizes, which keep their sign, in logarithms."""
+        return form.with_constants(np.where(width > 0, at + width * step, at * np.exp(step)))
+
+    at, best = np.array(form.constants), tried.gain
     if any(name in f for f in form.functions for name in SUDDEN):
-        return _along_each(ground, place, tried)
-    at, best, damping = np.array(form.constants), tried.gain, 1e-3
-    size = np.array([_size(ground, form, k) for k in range(len(at))])
-    signed = np.array([_place(form, k) or _weight(form, k) for k in range(len(at))])
+        step = _by_simplex(lambda step: ground.gain(place, moved(at, step), limbs), len(at))
+        other = dataclasses.replace(tried, form=moved(at, step), gain=ground.gain(place, moved(at, step), limbs))
+        return max(tried, other, key=lambda t: t.gain)
+    damping = 1e-3
     for _ in range(ROUNDS):
-        G, b = _linear(ground, place, form.with_constants(at), tried.limbs, size)
+        G, b = _linear(ground, place, form.with_constants(at), limbs, np.where(width > 0, width, at))
         for _ in range(HARDER):
-            step = damped(G, b, damping)[-len(at) :]
-            trial = at + size * np.clip(step, -FARTHEST, FARTHEST)
-            trial = np.where(signed | (trial * at > 0), trial, at)
-            found = ground.gain(place, form.with_constants(trial), tried.limbs)
+            trial = moved(at, np.clip(damped(G, b, damping)[-len(at) :], -FARTHEST, FARTHEST))
+            found = ground.gain(place, trial, limbs)
             damping = max(damping * (0.2 if found > best else 10.0), LEAST)
             if found > best:
                 break
-        gained, best, at = (found - best, found, trial) if found > best else (0.0, best, at)
-        if gained < ENOUGH:
+        if found < best + ENOUGH:
             break
+        best, at = found, np.array(trial.constants)
     return dataclasses.replace(tried, form=form.with_constants(at), gain=best)
+
+
+def _by_simplex(explained: Callable[[Array], float], n: int) -> Array:
+    """Return the step of n constants with which most is explained."""
+    from scipy.optimize import minimize
+
+    simplex = np.vstack([np.zeros(n), SHARP * np.eye(n)])
+    how = {"initial_simplex": simplex, "maxfev": STEPS * n, "xatol": 1e-3, "fatol": 1e-3}
+    found: Array = minimize(lambda step: -explained(step), simplex[0], method="Nelder-Mead", options=how).x
+    return found
 
 
 def damped(G: Array, b: Array, damping: float) -> Array:
@@ -62,8 +78,7 @@ def damped(G: Array, b: Array, damping: float) -> Array:
 
 def _linear(ground: Ground, place: Place, form: Form, limbs: tuple[int, ...], size: Array) -> tuple[Array, Array]:
     """Return normal equations of coefficients and constants, these in their sizes, at a form's best coefficients."""
-    own = [i - 1 for i in limbs] or [0]
-    C = ground.columns(place, ground.values(form))[:, :, own]
+    C = on(ground.columns(place, ground.values(form)), limbs)
     functions = C.shape[1]
     C = C.reshape(len(C), -1)
     G, b, long = (v[0] for v in ground.normal(C[:, None]))
@@ -75,50 +90,14 @@ def _linear(ground: Ground, place: Place, form: Form, limbs: tuple[int, ...], si
     return G * np.outer(long, long), left * long
 
 
-def _along_each(ground: Ground, place: Place, tried: Tried) -> Tried:
-    """Return what `refine` does, each constant sought in turn with a step of its own."""
-    form, best = tried.form, tried.gain
-    at = np.array(form.constants)
-    step = np.array([SHARP * _size(ground, form, k) for k in range(len(at))])
-    for _ in range(STEPS):
-        moved = False
-        for k in range(len(at)):
-            for sign in (1.0, -1.0):
-                trial = at.copy()
-                trial[k] += sign * step[k]
-                if trial[k] * at[k] <= 0 and not (_place(form, k) or _weight(form, k)):
-                    continue  # a scale, a period or a time has a sign
-                found = ground.gain(place, form.with_constants(trial), tried.limbs)
-                if found > best + 1e-3:
-                    best, at, moved = found, trial, True
-                    step[k] *= 1.5
-                    break
-            else:
-                step[k] *= 0.5
-        if not moved and (step < 1e-3 * np.maximum(np.abs(at), 1e-12)).all():
-            break
-    return dataclasses.replace(tried, form=form.with_constants(at), gain=best)
+def _width(ground: Ground, form: Form, k: int) -> float:
+    """Return by what a constant is counted that may have either sign: the width of its state, or its own size.
 
-
-def _place(form: Form, k: int) -> bool:
-    """Tell whether a constant is a place on the axis of its state, and no size."""
-    return any(f"- {{{k}}}" in f for f in form.functions)
-
-
-def _weight(form: Form, k: int) -> bool:
-    """Tell whether a constant weighs a part of a sum."""
-    return any(f"+ {{{k}}}" in f and f"+ {{{k}}}**" not in f for f in form.functions)
-
-
-def _size(ground: Ground, form: Form, k: int) -> float:
-    """Return what a constant is compared with: itself, or the width of its state."""
-    if _place(form, k):
-        return float(np.ptp(ground.states[form.states[-1] if len(form.states) == 1 else _owner(form, k)]))
-    return max(abs(form.constants[k]), 1e-12)
-
-
-def _owner(form: Form, k: int) -> str:
-    """Return the state whose function holds a constant: the last one before it in the text."""
+    Of a size (a scale, a period, a time), which has one sign, 0.
+    """
     text = next(f for f in form.functions if f"{{{k}}}" in f)
-    before = text[: text.index(f"{{{k}}}")]
-    return max(form.states, key=before.rfind)
+    if f"- {{{k}}}" in text and f"- {{{k}}}/" not in text:  # a place on the axis of the state that stands before it
+        state = max(form.states, key=text[: text.index(f"{{{k}}}")].rfind)
+        return float(np.ptp(ground.states[state]))
+    weighs = f"+ {{{k}}}" in text and f"+ {{{k}}}**" not in text
+    return max(abs(form.constants[k]), 1e-12) if weighs else 0.0

@@ -16,7 +16,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from deltacal_gen.diagnosis.laws.ground import Ground, Tried
+from deltacal_gen.diagnosis.laws.ground import Ground, Tried, on
 from deltacal_gen.diagnosis.laws.shape import Part, curves_of, of_parts
 from deltacal_gen.diagnosis.refits import terms_of
 from deltacal_gen.errors import InputError, NoSolutionError
@@ -121,7 +121,7 @@ def _about_mean(ground: Ground, tried: Tried, curves: Sequence[Curve]) -> Part:
 
 def _rest(ground: Ground, tried: Tried, form: Form) -> _Rest:
     """Return a form of bumps at the place of a term of a law, blank."""
-    C = ground.columns(ground.place(tried.target), ground.values(form))[:, :, [i - 1 for i in tried.limbs] or [0]]
+    C = on(ground.columns(ground.place(tried.target), ground.values(form)), tried.limbs)
     columns = np.swapaxes(C, 1, 2).reshape(len(C), -1)
     scale, blank = unit_variance(columns), ground.term(tried.target, form, tried.limbs)
     return _Rest(blank.with_values(np.zeros(blank.n_coefficients)), columns * scale, scale)

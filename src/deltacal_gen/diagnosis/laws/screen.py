@@ -9,14 +9,12 @@ from __future__ import annotations
 import dataclasses
 import itertools
 from collections.abc import Iterable, Sequence
-from functools import cache
 
 import numpy as np
 
-from deltacal_gen.diagnosis.charges import MARGIN, MOST_SETS, best_set, gains, quantile
-from deltacal_gen.diagnosis.laws.ground import Ground, Place, Tried
+from deltacal_gen.diagnosis.charges import MARGIN, MOST_SETS, gains, quantile
+from deltacal_gen.diagnosis.laws.ground import Ground, Place, Tried, joined
 from deltacal_gen.diagnosis.laws.profile import refine
-from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics import grammar
 from deltacal_gen.physics.grammar import Form
 from deltacal_gen.states import named
@@ -48,9 +46,9 @@ def counted(ground: Ground, looked_at: int = LOOKED_AT) -> tuple[list[Tried], in
         forms = list(_closer(ground, head))
         count += len(forms)
         found = sorted(_screened(ground, places[head.target], forms), key=lambda t: -t.score)
-        kinds = {t.form.functions: t for t in reversed(found[: 20 * KINDS])}  # one of each, with its best constants
-        some = sorted([head, *kinds.values()], key=lambda t: -t.score)[: KINDS if len(head.form.states) == 1 else 3]
-        closer += [_carried(ground, places[head.target], t) for t in some]
+        kinds = {t.form.functions: t for t in reversed(found)}  # one of each, with its best constants
+        some = sorted([head, *kinds.values()], key=lambda t: -t.score)[:KINDS]
+        closer += _screened(ground, places[head.target], [t.form for t in some], closer=True)
     priced = [dataclasses.replace(t, price=price(t, count)) for t in closer]
     priced.sort(key=lambda t: -t.score)
     refined = [refine(ground, places[t.target], t) for t in priced[:REFINED]]
@@ -74,13 +72,13 @@ def _each_once(tried: Iterable[Tried]) -> list[Tried]:
 
 def price(tried: Tried, count: int) -> float:
     """Return the gain that the best of `count` forms exceeds by chance alone, and what there is to say of this one."""
-    return _price(tried.form, tried.limbs, count)
+    columns = len(tried.form.factors) * max(len(tried.limbs), 1)
+    return columns * quantile(1, 1) + quantile(1, count) - quantile(1, 1) + _said(tried.form)
 
 
-def _price(form: Form, limbs: Sequence[int], count: int) -> float:
-    columns = len(form.factors) * max(len(limbs), 1)
-    of_choice = quantile(1, count) - quantile(1, 1)
-    return columns * quantile(1, 1) + of_choice + PART * form.length
+def _said(form: Form) -> float:
+    """Return the price of all that there is to say of a form, of each state that it reads beside the first one, too."""
+    return PART * form.length + MARGIN * (len(form.states) - 1)
 
 
 def _first(ground: Ground) -> list[Tried]:
@@ -107,67 +105,35 @@ def _coarse(ground: Ground, names: Sequence[str], remembers: bool) -> list[Form]
 
 
 def _closer(ground: Ground, head: Tried) -> Iterable[Form]:
-    """Yield every form of the states of one that explains much."""
-    names, states = head.form.states, ground.states
-    lags = ground.lags if ground.place(head.target).remembers else ()
-    make = grammar.full if len(names) == 1 else grammar.factors
-    atoms = [make(n, states[n], () if named(n).passes else lags) for n in names]
-    if len(names) == 1:
-        yield from (grammar.single(names[0], a) for a in atoms[0])
-        if len(head.form.functions) == 2:  # a wave
-            yield from (grammar.single(names[0], a) for a in grammar.periodic(names[0], head.form.constants[0]))
+    """Yield every form of the state of one that explains much; a product stays as it is, and is shaped later."""
+    if len(head.form.states) > 1:
+        yield head.form
         return
-    a, b = names
-    for f, g in itertools.product(*atoms):
-        yield grammar.product((a, f), (b, g))
-    for m, n, g in ((a, b, atoms[1][0]), (b, a, atoms[0][0])):
-        yield from (grammar.modulated(m, f, (n, g)) for f in grammar.slow_waves(states[m]))
-    for (m, f), (n, g) in (((a, atoms[0][0]), (b, atoms[1][0])), ((b, atoms[1][0]), (a, atoms[0][0]))):
-        yield grammar.product((m, f), (n, g), beside=True)
+    (name,), lags = head.form.states, ground.lags if ground.place(head.target).remembers else ()
+    atoms = grammar.full(name, ground.states[name], () if named(name).passes else lags)
+    if len(head.form.functions) == 2:  # a wave
+        atoms += grammar.periodic(name, head.form.constants[0])
+    yield from (grammar.single(name, a) for a in atoms)
 
 
-def _screened(ground: Ground, place: Place, forms: Sequence[Form]) -> list[Tried]:
-    """Return the forms on the limb, or on all limbs, on which each explains most beyond its own price."""
+def _screened(ground: Ground, place: Place, forms: Sequence[Form], closer: bool = False) -> list[Tried]:
+    """Return the forms on those limbs on which each explains most beyond its own price.
+
+    All limbs share their coefficients, or one has its own, or each has; looked at `closer`, any of them have.
+    """
+    every = place.columns.shape[2]
+    sizes = [n for n in range(1, every + 1) if n in (1, every) or (closer and (every <= MOST_SETS or n == 2))]
+    sets = [s for n in sizes if place.limbs for s in itertools.combinations(place.limbs, n)]
+    sets += [()] if every > 1 or not sets else []
     out: list[Tried] = []
-    for some, values in ground.batches(forms):
-        out += _scored(place, some, *ground.normal_of(place, some, values))
+    for some, system in ground.systems(place, forms):
+        m = system[0].shape[1] // every
+        gain = np.array([gains(*joined(system, own, every)) for own in sets])
+        columns = m * quantile(1, 1) * np.maximum([len(own) for own in sets], 1)
+        if place.limbs and not sets[-1]:  # what another joint does is another's for each limb
+            gain[-1, [any(named(s).joint for s in forms[k].states) for k in some]] = 0.0
+        best = np.argmax(gain - columns[:, None], axis=0)
+        for at, (k, which) in enumerate(zip(some, best.tolist(), strict=True)):
+            worth = float(gain[which, at]), float(columns[which]) + _said(forms[k])  # see `price`
+            out.append(Tried(place.target, forms[k], sets[which], *worth))
     return out
-
-
-def _scored(place: Place, forms: Sequence[Form], G: Array, b: Array) -> list[Tried]:
-    limbs, m = place.columns.shape[2], len(forms[0].factors)
-    each = np.stack([gains(G[:, at : at + m, at : at + m], b[:, at : at + m]) for at in range(0, limbs * m, m)], axis=1)
-    single, one = each.max(axis=1), each.argmax(axis=1)
-    whole = gains(G, b) if limbs > 1 else single
-    on_all = whole - (limbs - 1) * m * quantile(1, 1) > single
-    own = [place.limbs if every else place.limbs[k : k + 1] for every, k in zip(on_all.tolist(), one, strict=True)]
-    gain = np.where(on_all, whole, single).tolist()
-    columns = [m * max(len(some), 1) * quantile(1, 1) for some in (place.limbs[:1], place.limbs)]  # see `_price`
-    return [
-        Tried(place.target, form, some, most, columns[every] + PART * form.length)
-        for form, some, most, every in zip(forms, own, gain, on_all.tolist(), strict=True)
-    ]
-
-
-def _carried(ground: Ground, place: Place, tried: Tried) -> Tried:
-    """Return a form on the set of limbs that earns most."""
-    limbs = len(place.limbs)
-    if limbs < 2:
-        return tried
-    G, b = ground.normal_of(place, [tried.form], ground.values(tried.form))
-    m = len(tried.form.functions)
-
-    @cache
-    def gain(own: tuple[int, ...]) -> float:
-        at = [(i - 1) * m + j for i in own for j in range(m)]
-        return float(gains(G[0][np.ix_(at, at)][None], b[0, at][None])[0])
-
-    def worth(own: tuple[int, ...]) -> float:
-        return gain(own) - len(own) * m * quantile(1, 1)
-
-    if limbs > MOST_SETS:
-        own = best_set(place.limbs, lambda sets: [worth(s) for s in sets])[0]
-    else:
-        sets = [s for n in range(1, limbs + 1) for s in itertools.combinations(place.limbs, n)]
-        own = max(sets, key=worth)
-    return dataclasses.replace(tried, limbs=own, gain=gain(own))

@@ -95,7 +95,7 @@ def _term(at: Fit, i: int, unsure: Unsure) -> LawTerm:
         for k, name in enumerate(_in_order(law))
     ]
     return LawTerm(
-        target=law.TARGETS[0],
+        target=law.target,
         limbs=term.limbs,
         expression=law.formula.text,
         coefficients=tuple(
