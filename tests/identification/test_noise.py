@@ -121,17 +121,16 @@ def test_no_data_sheet_is_wrong_by_ten() -> None:
 
 
 @pytest.mark.walk
-def test_what_noise_that_hangs_together_outweighs_is_a_hint() -> None:
+def test_a_drift_is_named_where_correlated_noise_costs_more() -> None:
     of = channels(100, "time", seed=3)
     rate = 0.03 / (of["time_s"][-1] / 3600)
     made = record(ROBOT, effect("instrument_drift", (), rate, -rate, rate / 2), n=100, of=of, declared=False, seed=1)
     found = diagnose(ROBOT, made).answer()
-    assert found.effects == ()
-    assert found.noise.model is not None
-    assert found.noise.model.rows > 5
-    [hint] = [h for h in found.hints if h.name == "instrument_drift"]
-    assert hint.why.startswith("is explained as well by noise that hangs together")  # "it ..." goes before
-    assert any("instrument_drift" in (n.separates or ()) for n in found.next_measurements)
+    assert [e.name for e in found.effects] == ["instrument_drift"]
+    assert found.search is not None
+    [alone] = [h for h in found.search.hypotheses if not h.effects]
+    assert alone.correlated
+    assert alone.cost_chi2 > 0
 
 
 def test_a_sigma_that_is_more_than_all_noise_is_wrong() -> None:

@@ -206,7 +206,7 @@ def test_a_wrong_radius_is_told_by_few_heights(radius: float, printer: Robot, rn
     assert "radius" in doubt
     assert answer.train_rms_mm < 0.05
     summary = dc.diagnose(wrong, done)["summary"]
-    assert "farther from the robot file" in summary
+    assert "Compare the file's dimensions" in summary
     assert "leaves no more" not in summary
 
 

@@ -198,7 +198,7 @@ def test_two_sessions_are_compared_by_the_numbers_of_their_laws(found: tuple[str
     other = written(tmp_path, on_third(lambda s, load: 1.2 * CURVES[name][0](s, load)), seed=3)
     again = dc.diagnose(tmp_path / "robot.toml", other)
     moved = dc.compare(diagnosis, again)
-    assert [e["name"].rpartition(": ")[2] for e in moved["changed"]] == ["c1"]
+    assert [e["name"].rpartition(": ")[2] for e in moved["changed"]] == ["c1_3"]
     assert moved["changed"][0]["after"] == pytest.approx(1.2 * moved["changed"][0]["before"], rel=0.01)
 
 

@@ -34,7 +34,7 @@ from deltacal_gen.diagnosis.findings import (
     rejected_of,
     turned_of,
 )
-from deltacal_gen.diagnosis.hints import Hinted, hinted, outweighed, told
+from deltacal_gen.diagnosis.hints import Hinted, hinted, told
 from deltacal_gen.diagnosis.laws.laws import Lawful, Sought, laws
 from deltacal_gen.diagnosis.laws.remainder import with_remainder
 from deltacal_gen.diagnosis.library import defined, library
@@ -119,7 +119,6 @@ def diagnose(
         search, left, smooth = _without_orders(found.problem, search, left, smooth)
     # what comes near its price, or is not borne out, is no finding, but worth a measurement
     doubtful = [] if lean else hinted(search, AMBIGUOUS)
-    doubtful += outweighed(search, doubtful, AMBIGUOUS)
     heldout = _held_out(found, search, lawful)
     del begun  # columns of all forms, which take more memory than all readings
     progress(f"fit of all {len(problem.readings)} readings")

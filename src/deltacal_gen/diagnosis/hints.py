@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-import dataclasses
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 from deltacal_gen.diagnosis.chance import Chance
 from deltacal_gen.diagnosis.charges import MARGIN
-from deltacal_gen.diagnosis.refits import refitted, terms_of
 from deltacal_gen.diagnosis.search import Found, Search
 from deltacal_gen.diagnosis.selection import MOST_EFFECTS
 from deltacal_gen.physics.terms import Term
@@ -27,14 +24,11 @@ class Hinted:
         With the coefficients that explain most.
     alike : tuple of str
         Effects that would explain the same.
-    outweighed : bool
-        Whether it earned its price beside noise of each row's own, but noise that hangs together explains more.
     """
 
     found: Found
     term: Term
     alike: tuple[str, ...]
-    outweighed: bool = False
 
 
 def hinted(search: Search, ambiguous: float) -> list[Hinted]:
@@ -59,23 +53,6 @@ def hinted(search: Search, ambiguous: float) -> list[Hinted]:
     return out
 
 
-def outweighed(search: Search, others: Sequence[Hinted], ambiguous: float) -> list[Hinted]:
-    """Return effects that correlated noise outweighs: in noise of each row's own they would earn their price."""
-    at = search.fit
-    if at.repeats.plain:
-        return []
-    white = refitted(at.problem, dataclasses.replace(at, repeats=at.repeats.as_plain()), terms_of(at))
-    known = {name for name, _ in search.effects} | {name for h in others for name in (h.term.effect, *h.alike)}
-    there = [] if white is None else hinted(Search(white, search.terms), ambiguous)
-    out = []
-    for hint in there:
-        if hint.found.score > MARGIN and hint.term.effect not in known:
-            gain = search.gain(search.where(hint.term))
-            found = dataclasses.replace(hint.found, gain=gain, score=gain - search.price(hint.term))
-            out.append(dataclasses.replace(hint, found=found, outweighed=True))
-    return out
-
-
 def told(several: list[Hinted], search: Search, chance: Chance) -> tuple[Hint, ...]:
     """Return hints as an answer tells them, beside all that was named in a search."""
     return tuple(
@@ -85,7 +62,7 @@ def told(several: list[Hinted], search: Search, chance: Chance) -> tuple[Hint, .
             gain_chi2=h.found.gain,
             p_value=chance.of(h.found.score),
             indistinguishable_from=h.alike,
-            earned=h.found.score > MARGIN and not h.outweighed,
+            earned=h.found.score > MARGIN,
             why=_why(h, len(search.effects)),
         )
         for h in several
@@ -94,8 +71,6 @@ def told(several: list[Hinted], search: Search, chance: Chance) -> tuple[Hint, .
 
 def _why(hint: Hinted, named: int) -> str:
     """Return why an effect is not named beside so many others."""
-    if hint.outweighed:
-        return "is explained as well by noise that hangs together from row to row: repeat poses measured long before"
     if hint.found.score <= MARGIN:
         return f"explains more than chance usually lets it; {MARGIN - hint.found.score:.0f} of chi2 are wanting"
     if named >= MOST_EFFECTS:

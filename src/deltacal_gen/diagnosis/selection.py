@@ -107,7 +107,8 @@ def select(problem: Problem, start: Search, progress: Progress) -> Selection:
         # correlated noise hides what goes with time
         searches = [Search(at, terms) for at in ([now.fit] if now.fit is now.white else [now.white, now.fit])]
         considered = considered or searches[0].ranked()
-        moves = sorted((m for search in searches for m in _moves(search, now.cost)), key=lambda m: m.cost)
+        moves = [m for s in searches for m in _moves(s, now.cost) if not _crowded(s, m.terms)]
+        moves.sort(key=lambda m: m.cost)
         for move in _promising(moves, now.cost, least, seen):
             new = _weighed(problem, start, now.white, move.terms, (*now.moves, move.name))
             if new.forms == _forms(move.terms) or new.forms not in seen:
@@ -166,7 +167,7 @@ def _moves(search: Search, cost: float) -> Iterator[Move]:
     each = search.grouped(terms)
     own = [[terms[i] for i in places] for places in each]
     if len(each) < MOST_EFFECTS:
-        for f in _without_crowd(search.ranked(), own):
+        for f in search.ranked()[:RIVALS]:
             yield Move(f"+ {f.term.effect}", [*terms, *f.terms], cost + MARGIN - f.score)
     for places, mine in zip(each, own, strict=True):
         rest = [t for i, t in enumerate(terms) if i not in places]
@@ -214,7 +215,6 @@ def _worth(search: Search, findings: Sequence[Sequence[Term]]) -> float:
     return gain - sum(search.price(*own) + MARGIN for own in findings)
 
 
-def _without_crowd(ranked: Sequence[Found], own: Sequence[Sequence[Term]]) -> list[Found]:
-    """Return what may be added: no further order where there are many, for all orders are then one error."""
-    crowded = sum(mine[0].effect == wave() for mine in own) >= MOST_WAVES
-    return [f for f in ranked if not (crowded and f.term.effect == wave())][:RIVALS]
+def _crowded(search: Search, terms: Sequence[Term]) -> bool:
+    """Tell whether there are too many periodic errors to be told apart: all orders are then one error."""
+    return len(search.grouped([t for t in terms if t.effect == wave()])) > MOST_WAVES

@@ -56,12 +56,14 @@ def averaged(at: Fit) -> Array:
     bounded, found = np.concatenate([A, B, e[..., None]], axis=2) * np.sqrt(at.weights)[:, None, None], []
     for odds, noise in _correlations(at):
         freed = noise.whiten(bounded).reshape(e.size, -1)
-        R = np.asarray(np.linalg.qr(freed, mode="r"))[n:, n:]
+        whole = np.asarray(np.linalg.qr(freed, mode="r"))
+        R, taken = whole[n:, n:], np.abs(np.diag(whole)[:n]) / size
+        volume = read.any(axis=0).sum() * noise.log_det + 2 * np.log(np.maximum(taken, SEEN)).sum()
         model = MixedModel.of(R[:, :-1], R[:, -1], np.zeros((len(R), 0)))
         model = dataclasses.replace(model, contrasts=max(int(read.sum()) - n, 1))
         for creeps in CREEPS if creep.shape[2] else (0.0,):
             variances = np.full(B.shape[2], creeps**2)
-            deviance = model.deviance(variances) + read.any(axis=0).sum() * noise.log_det
+            deviance = model.deviance(variances) + volume
             before = odds * creeps * np.exp(-((creeps / ORDINARY) ** 2) / 2) if creeps else odds
             found.append((np.log(before) - deviance / 2, noise, creeps, model.noise(variances)))
     weight = np.exp(np.array([f[0] for f in found]) - max(f[0] for f in found))
