@@ -224,8 +224,8 @@ def test_a_form_under_which_no_machine_comes_to_rest_is_passed_over(
     real, asked = search.fitted, list[Tried]()
 
     def refusing(
-        problem: Problem, now: search.Hypothesis, ground: Ground, tried: Tried, *how: Any
-    ) -> search.Hypothesis | None:
+        problem: Problem, now: search.FormulaFit, ground: Ground, tried: Tried, *how: Any
+    ) -> search.FormulaFit | None:
         asked.append(tried)
         return None if len(asked) == 1 else real(problem, now, ground, tried, *how)
 

@@ -11,7 +11,7 @@ import pytest
 
 from deltacal_gen.diagnosis.laws import laws as of
 from deltacal_gen.diagnosis.laws.ground import Tried
-from deltacal_gen.diagnosis.laws.search import Hypothesis
+from deltacal_gen.diagnosis.laws.search import FormulaFit
 from deltacal_gen.diagnosis.refits import refitted, terms_of
 from deltacal_gen.estimation.fit import rough
 from deltacal_gen.estimation.fitted import Fit
@@ -95,6 +95,6 @@ def test_the_fit_itself_tells_which_term_may_be_needless(known: Fit, monkeypatch
 
     monkeypatch.setattr(of, "refitted", counted)
     law = Tried("joint", grammar.single("payload", grammar.Atom("payload")), (2, 3), 0.0, 20.0)
-    left = of._needed(problem, Hypothesis(whole, (law,), of._prices(outcome(whole))))
+    left = of._needed(problem, FormulaFit(whole, (law,), of._prices(outcome(whole))))
     assert [t.limbs for t in terms_of(left.fit)] == [(4,), (2, 3)]
     assert len(asked) == 1 + of.DOUBTED

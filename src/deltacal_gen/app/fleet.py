@@ -286,8 +286,8 @@ def conduct(
     folder, directory, listed = Path(folder), Path(directory), find(folder, action, machine)
     store = Store(directory)
     with tempfile.TemporaryDirectory() as imported:
-        todo = list(_unpacked(listed, folder, Path(imported), action, machine, workers))
-        open_ = [job for job in todo if job.refused is None]
+        jobs = list(_unpacked(listed, folder, Path(imported), action, machine, workers))
+        open_ = [job for job in jobs if job.refused is None]
         known = {job.label: _key(job, action, model) for job in open_}
 
         def given(job: Job) -> tuple[Any, ...]:
@@ -295,7 +295,7 @@ def conduct(
 
         tasks = [Task(known[job.label][1], job.label, partial(given, job)) for job in open_]
         outcomes = run(do, tasks, workers=workers, cluster=cluster, directory=directory, told=told)
-        rows = [_row(job, Outcome("", "", None, job.refused) if job.refused else next(outcomes)) for job in todo]
+        rows = [_row(job, Outcome("", "", None, job.refused) if job.refused else next(outcomes)) for job in jobs]
     changed = _changed(open_, known, store, _last(directory))
     passed = passed_over(folder, listed) or None
     found = Batch(action=cast("Action", action), rows=tuple(rows), changed=changed, passed_over=passed)

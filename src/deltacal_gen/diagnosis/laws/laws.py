@@ -14,7 +14,7 @@ from deltacal_gen.diagnosis.designs import Question
 from deltacal_gen.diagnosis.laws.ground import Ground, Tried
 from deltacal_gen.diagnosis.laws.proof import Proof, goes_with_time, judged, parted
 from deltacal_gen.diagnosis.laws.screen import counted, stands_out
-from deltacal_gen.diagnosis.laws.search import Hypothesis, fitted, grow, polished, shaped_all
+from deltacal_gen.diagnosis.laws.search import FormulaFit, fitted, grow, polished, shaped_all
 from deltacal_gen.diagnosis.refits import COMPARED, form, refitted, terms_of
 from deltacal_gen.diagnosis.strategy import Outcome
 from deltacal_gen.diagnosis.wandering import following_walks
@@ -137,7 +137,7 @@ def laws(found: Outcome, progress: Callable[[str], None], doubted: bool = False)
     if problem.readings.rows.shape[1] != 1:
         return Sought()  # of distances, either end could be moved
     # rows that hang together are the law's doing, where there is one; its price is compared with theirs
-    named = Hypothesis(dataclasses.replace(at, repeats=at.repeats.as_plain()), prices=_prices(found))
+    named = FormulaFit(dataclasses.replace(at, repeats=at.repeats.as_plain()), prices=_prices(found))
     more = found.unexplained or (bool(named.names) and stands_out(Ground(at)))
     if not (more or doubted):
         return Sought()
@@ -162,7 +162,7 @@ def _prices(found: Outcome) -> dict[tuple[object, ...], float]:
     return out
 
 
-def _beside(problem: Problem, named: Hypothesis, names: Sequence[Term], found: Outcome) -> Sought:
+def _beside(problem: Problem, named: FormulaFit, names: Sequence[Term], found: Outcome) -> Sought:
     """Return what `laws` does, of laws found beside some of the named effects."""
     if (base := refitted(problem, named.fit, names)) is None:
         return Sought()
@@ -190,7 +190,7 @@ def _beside(problem: Problem, named: Hypothesis, names: Sequence[Term], found: O
     return Sought(tuple(_told(problem, dataclasses.replace(whole, fit=still or whole.fit), asked)))
 
 
-def _of_part(problem: Problem, base: Fit, named: Hypothesis, train: np.ndarray, test: np.ndarray) -> Hypothesis | None:
+def _of_part(problem: Problem, base: Fit, named: FormulaFit, train: np.ndarray, test: np.ndarray) -> FormulaFit | None:
     """Return the law that a part (R,) of the readings has beside a fit; none that costs more than the named effects."""
     if min(train.sum(), test.sum()) < FEWEST:
         return None
@@ -201,13 +201,13 @@ def _of_part(problem: Problem, base: Fit, named: Hypothesis, train: np.ndarray, 
     return None if first is None else grow(part, first, most)
 
 
-def _by_walks(law: Hypothesis) -> bool:
+def _by_walks(law: FormulaFit) -> bool:
     """Tell whether a law is better told of what goes by no law: an instrument, or joints, that wander."""
     charges = law.charges
     return bool(following_walks(law.fit, {law.place(i): charges[law.place(i)] for i in range(len(law.law))})[0])
 
 
-def _of_all(problem: Problem, named: Hypothesis, law: Hypothesis, names: Sequence[Term]) -> Hypothesis | None:
+def _of_all(problem: Problem, named: FormulaFit, law: FormulaFit, names: Sequence[Term]) -> FormulaFit | None:
     """Return a law that was found on a part of the readings as all have it, beside those names that it needs."""
     fit = refitted(problem, named.fit, [*names, *law.terms])
     if fit is None:
@@ -218,7 +218,7 @@ def _of_all(problem: Problem, named: Hypothesis, law: Hypothesis, names: Sequenc
     return _needed(problem, shaped_all(problem, out))
 
 
-def _needed(problem: Problem, now: Hypothesis) -> Hypothesis:
+def _needed(problem: Problem, now: FormulaFit) -> FormulaFit:
     """Return a law and named effects without what does not earn its price beside the rest, the worst first.
 
     Where a name and a term of the law explain the same, the name stays: it has the lower price. Which are the worst is
@@ -248,7 +248,7 @@ def _earned(at: Fit, i: int) -> float:
     return float(sizes @ np.linalg.pinv(covariance / np.outer(std, std), hermitian=True) @ sizes)
 
 
-def _told(problem: Problem, best: Hypothesis, proof: Proof) -> list[Lawful]:
+def _told(problem: Problem, best: FormulaFit, proof: Proof) -> list[Lawful]:
     """Return a law and its rivals, with how sure their numbers are.
 
     Each stands beside the names that it needs itself: a rival that needs fewer may cost less, and is then the law.
@@ -274,7 +274,7 @@ def _told(problem: Problem, best: Hypothesis, proof: Proof) -> list[Lawful]:
     return [dataclasses.replace(first, count=count, runners_up=tuple(less[:RUNNERS_UP])), *others]
 
 
-def _asked(problem: Problem, law: Hypothesis, proof: Proof) -> Proof | None:
+def _asked(problem: Problem, law: FormulaFit, proof: Proof) -> Proof | None:
     """Return what readings that were asked say of a law whose form is given, its numbers as the others have them."""
     part = problem.subset(np.flatnonzero(proof.train))
     fit = refitted(part, law.fit, terms_of(law.fit))
@@ -286,7 +286,7 @@ def _asked(problem: Problem, law: Hypothesis, proof: Proof) -> Proof | None:
     return judged(problem, known, proof.train, proof.test)
 
 
-def _with_figures(law: Hypothesis, proof: Proof) -> Lawful:
+def _with_figures(law: FormulaFit, proof: Proof) -> Lawful:
     ground, own = Ground(law.fit), [law.place(i) for i in range(len(law.law))]
     unsure = (_unsure(ground, ground.freed(i), t, terms_of(law.fit)[i]) for i, t in zip(own, law.law, strict=True))
     without = ground.freed(*own)

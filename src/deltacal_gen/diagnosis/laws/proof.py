@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from deltacal_gen.diagnosis.laws.search import Hypothesis
+from deltacal_gen.diagnosis.laws.search import FormulaFit
 from deltacal_gen.diagnosis.refits import refitted, terms_of
 from deltacal_gen.estimation.fitted import Fit
 from deltacal_gen.estimation.problem import Problem
@@ -70,7 +70,7 @@ def parted(problem: Problem, by_time: bool) -> tuple[np.ndarray, np.ndarray]:
     return ~asked, asked
 
 
-def goes_with_time(problem: Problem, law: Hypothesis) -> bool:
+def goes_with_time(problem: Problem, law: FormulaFit) -> bool:
     """Tell whether a law may be no more than a walk, which goes on otherwise: it remembers, or reads time alone.
 
     What it has to do with that changes from row to row, as no walk does, speaks for it between any two readings.
@@ -89,7 +89,7 @@ def _slow(values: Array) -> bool:
     return bool((v[1:] * v[:-1]).sum() > SLOW * max((v**2).sum(), 1e-300))
 
 
-def judged(problem: Problem, law: Hypothesis, train: np.ndarray, test: np.ndarray) -> Proof | None:
+def judged(problem: Problem, law: FormulaFit, train: np.ndarray, test: np.ndarray) -> Proof | None:
     """Return what readings (R,) that were asked say of a law whose numbers the others gave."""
     part = law.fit.problem.with_terms([], np.zeros(0))
     without = refitted(part, law.fit, law.names)

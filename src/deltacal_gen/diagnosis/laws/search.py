@@ -33,7 +33,7 @@ LOOKS = 4  # at the shape of a term
 
 
 @dataclass(frozen=True, eq=False)
-class Hypothesis:
+class FormulaFit:
     """A fit of geometry, instrument and named effects with a law, whose terms come last in it.
 
     Attributes
@@ -75,12 +75,12 @@ class Hypothesis:
         return Ground(self.fit).freed(self.place(i))
 
 
-def grow(problem: Problem, base: Fit, most: float = np.inf) -> Hypothesis | None:
+def grow(problem: Problem, base: Fit, most: float = np.inf) -> FormulaFit | None:
     """Return the law that explains most beside a fit, None where none earns its price.
 
     From its first term on a law has to cost less than `most`.
     """
-    best = Hypothesis(base)
+    best = FormulaFit(base)
     while len(best.law) < MOST_TERMS and (longer := _longer(problem, best)) is not None:
         best = longer
         if best.cost >= most:
@@ -88,7 +88,7 @@ def grow(problem: Problem, base: Fit, most: float = np.inf) -> Hypothesis | None
     return best if best.law else None
 
 
-def _longer(problem: Problem, now: Hypothesis) -> Hypothesis | None:
+def _longer(problem: Problem, now: FormulaFit) -> FormulaFit | None:
     """Return the law with the term more that costs least; None where none earns its price."""
     ground = Ground(now.fit)
     # on a jump by what the machine itself changes it may not come to rest: elsewhere it does
@@ -101,13 +101,13 @@ def _longer(problem: Problem, now: Hypothesis) -> Hypothesis | None:
     return best if best.cost < now.cost else None
 
 
-def _fitted(problem: Problem, now: Hypothesis, ground: Ground, forms: Sequence[Tried]) -> list[Hypothesis]:
+def _fitted(problem: Problem, now: FormulaFit, ground: Ground, forms: Sequence[Tried]) -> list[FormulaFit]:
     """Return the law with each of the best forms more."""
     tried = (fitted(problem, now, ground, t) for t in forms[:TRIED] if t.score > MARGIN)
     return [h for h in tried if h is not None]
 
 
-def fitted(problem: Problem, now: Hypothesis, ground: Ground, tried: Tried, at: int | None = None) -> Hypothesis | None:
+def fitted(problem: Problem, now: FormulaFit, ground: Ground, tried: Tried, at: int | None = None) -> FormulaFit | None:
     """Return the exact fit of a law with one more form, or with it in place of the term `at`."""
     law, terms = list(now.law), terms_of(now.fit)
     term = ground.term(tried.target, tried.form, tried.limbs)
@@ -119,7 +119,7 @@ def fitted(problem: Problem, now: Hypothesis, ground: Ground, tried: Tried, at: 
     return None if found is None else dataclasses.replace(now, fit=found, law=tuple(law))
 
 
-def polished(problem: Problem, now: Hypothesis, i: int) -> Hypothesis:
+def polished(problem: Problem, now: FormulaFit, i: int) -> FormulaFit:
     """Return a law with the constants within a term where they explain most in the exact fit."""
     own, ground = now.law[i], now.freed(i)
     place = ground.place(own.target)
@@ -127,7 +127,7 @@ def polished(problem: Problem, now: Hypothesis, i: int) -> Hypothesis:
     return _cheaper(now, fitted(problem, now, ground, refine(ground, place, found), i))
 
 
-def shaped_all(problem: Problem, now: Hypothesis) -> Hypothesis:
+def shaped_all(problem: Problem, now: FormulaFit) -> FormulaFit:
     """Return a law whose terms each have the shape that they earn beside everything else that is fitted.
 
     What counts as a gross error, and the noise, follow the shape: each is looked at again by what it leaves.
@@ -141,7 +141,7 @@ def shaped_all(problem: Problem, now: Hypothesis) -> Hypothesis:
     return now
 
 
-def _cheaper(now: Hypothesis, other: Hypothesis | None) -> Hypothesis:
+def _cheaper(now: FormulaFit, other: FormulaFit | None) -> FormulaFit:
     """Return another hypothesis unless it costs more."""
     return now if other is None or other.cost > now.cost + COMPARED else other
 
