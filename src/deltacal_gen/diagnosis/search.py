@@ -244,6 +244,10 @@ class Search:
             return charge(first, max(len(self._series(first).places), 1), len(terms))
         return charge(first, len(self._of_effect.get(first.effect, ())))
 
+    def priced(self, terms: Sequence[Term]) -> float:
+        """Return what effects have to earn together to be named: each finding its price, and the margin beyond it."""
+        return sum(self.price(*(terms[i] for i in own)) + MARGIN for own in self.grouped(terms))
+
     def _series(self, term: Term) -> Series:
         """Return the periodic errors of several waves that the joints can show, by the places of their forms."""
         least = lowest_repeating(min(self._travel[i - 1] for i in term.limbs))

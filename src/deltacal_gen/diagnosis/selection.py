@@ -107,7 +107,7 @@ def select(problem: Problem, start: Search, progress: Progress) -> Selection:
         # correlated noise hides what goes with time
         searches = [Search(at, terms) for at in ([now.fit] if now.fit is now.white else [now.white, now.fit])]
         considered = considered or searches[0].ranked()
-        moves = [m for s in searches for m in _moves(s, now.cost) if not _crowded(s, m.terms)]
+        moves = [m for s in searches for m in _moves(s, now.cost) if not crowded(s, m.terms)]
         moves.sort(key=lambda m: m.cost)
         for move in _promising(moves, now.cost, least, seen):
             new = _weighed(problem, start, now.white, move.terms, (*now.moves, move.name))
@@ -141,7 +141,7 @@ def _weighed(
         return Hypothesis(near, near, np.inf, moves)
     white = believable(problem, white)
     own, (noise, deviance) = terms_of(white), suited(white)
-    price = sum(start.price(*(own[i] for i in places)) + MARGIN for places in start.grouped(own))
+    price = start.priced(own)
     calm = None if noise.plain else _in_noise(problem, white, noise, own)
     fit, deviance = (white, deviance) if calm is None else (calm, suited(calm)[1])
     return Hypothesis(white, fit, deviance + price, moves)
@@ -215,6 +215,6 @@ def _worth(search: Search, findings: Sequence[Sequence[Term]]) -> float:
     return gain - sum(search.price(*own) + MARGIN for own in findings)
 
 
-def _crowded(search: Search, terms: Sequence[Term]) -> bool:
+def crowded(search: Search, terms: Sequence[Term], most: int = MOST_WAVES) -> bool:
     """Tell whether there are too many periodic errors to be told apart: all orders are then one error."""
-    return len(search.grouped([t for t in terms if t.effect == wave()])) > MOST_WAVES
+    return len(search.grouped([t for t in terms if t.effect == wave()])) > most

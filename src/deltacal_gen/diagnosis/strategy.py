@@ -83,7 +83,8 @@ def searched(some: Problem, first: Fit, terms: Sequence[Term], lean: bool, progr
     without, tested = held_out_errors(first, Prior(), parts), search.fit
     predicted = held_out_by(some, search, parts) if search.effects else without
     if search.effects and not _speak_for(search, first, without, predicted, parts):
-        search = Search(first, terms)
+        first = next((h.fit for h in weighed if not terms_of(h.fit)), first)  # in the noise that suits what it leaves
+        search, without = Search(first, terms), held_out_errors(first, Prior(), parts)
     progress("what is left")
     search, left = _without_gross(some, search)
 
@@ -165,8 +166,7 @@ def deviance(found: Outcome) -> float:
     An instrument that wanders moves readings as effects without limbs do: those pay as much more as such noise does.
     """
     terms = terms_of(found.search.fit)
-    price = sum(found.search.price(*(terms[i] for i in own)) + MARGIN for own in found.search.grouped(terms))
-    price += PRICE * any(not t.limbs for t in terms)
+    price = found.search.priced(terms) + PRICE * any(not t.limbs for t in terms)
     of_spectrum = 0.0 if found.spectrum is None else 2 * len(found.spectrum.limbs) * found.spectrum.corner + MARGIN
     return deviance_of(found.search.fit) + price + of_spectrum
 

@@ -11,7 +11,9 @@ warms up reads it then.
 from __future__ import annotations
 
 import dataclasses
+import itertools
 from collections.abc import Iterator
+from typing import NamedTuple
 
 import numpy as np
 
@@ -33,6 +35,15 @@ SEEN = 1e-12  # of columns of unit length: a direction that is less is none
 HARDLY = 1e-3  # of the likelihood: noise models below it change no variance
 
 
+class _Weighed(NamedTuple):
+    """A noise model: correlated rows, a frame that creeps by a size, the level of both, and its probability."""
+
+    rows: NoiseModel
+    creep: float
+    level: float
+    probability: float
+
+
 def averaged(at: Fit) -> Array:
     """Return the covariance (n + n_m, n + n_m) of parameters and instrument, averaged over noise models.
 
@@ -43,43 +54,53 @@ def averaged(at: Fit) -> Array:
         return at.covariance
     state = problem.linearise(at.errors, at.instrument, at.machine)
     scale = np.append(problem.scale, np.ones(state.J_m.shape[2]))
+    n, prior, read = len(scale), np.eye(len(problem.scale), len(scale)), np.isfinite(state.residual)
     J = np.concatenate([state.J_p, state.J_m], axis=2) * scale
-    creep, read = _creep(at), np.isfinite(state.residual)
-    rows = np.concatenate([J, creep, state.residual[..., None]], axis=2)
+    rows = np.concatenate([J, _creep(at), state.residual[..., None]], axis=2)
     rows = in_unit_noise(rows, read, at.sigma, at.weights, at.repeats)
-    n, prior = len(scale), np.eye(len(problem.scale), len(scale))
-    A, B, e = rows[..., :n], rows[..., n:-1], rows[..., -1]
-    flat = A.reshape(-1, n)
-    size = length_of(np.vstack([flat, prior]))
-    B = B * unit_variance(B.reshape(len(flat), -1))
-    # an outlier is a reading of more noise: of it Huber's weights leave the root of how far it is off
-    bounded, found = np.concatenate([A, B, e[..., None]], axis=2) * np.sqrt(at.weights)[:, None, None], []
-    for odds, noise in _correlations(at):
-        freed = noise.whiten(bounded).reshape(e.size, -1)
-        whole = np.asarray(np.linalg.qr(freed, mode="r"))
-        R, taken = whole[n:, n:], np.abs(np.diag(whole)[:n]) / size
-        volume = read.any(axis=0).sum() * noise.log_det + 2 * np.log(np.maximum(taken, SEEN)).sum()
-        model = MixedModel.of(R[:, :-1], R[:, -1], np.zeros((len(R), 0)))
-        model = dataclasses.replace(model, contrasts=max(int(read.sum()) - n, 1))
-        for creeps in CREEPS if creep.shape[2] else (0.0,):
-            variances = np.full(B.shape[2], creeps**2)
-            deviance = model.deviance(variances) + volume
-            before = odds * creeps * np.exp(-((creeps / ORDINARY) ** 2) / 2) if creeps else odds
-            found.append((np.log(before) - deviance / 2, noise, creeps, model.noise(variances)))
-    weight = np.exp(np.array([f[0] for f in found]) - max(f[0] for f in found))
-    weight /= weight.sum()
+    flat = rows.reshape(-1, rows.shape[2])
+    flat[:, n:-1] *= unit_variance(flat[:, n:-1])
+    size = length_of(np.vstack([flat[:, :n], prior]))
     # by an orthogonal basis: products of columns would lose half of the digits
-    Q, R = np.linalg.qr(np.vstack([flat, prior]) / size)
+    Q, R = np.linalg.qr(np.vstack([flat[:, :n], prior]) / size)
     Q, pulled = Q[: len(flat)], Q[len(flat) :]
-    across, middle, times = Q.T @ B.reshape(len(flat), -1), pulled.T @ pulled, dict[int, Array]()
-    for w, (_, noise, creeps, level) in zip(weight.tolist(), found, strict=True):
-        if w < HARDLY:
-            continue
-        if id(noise) not in times:
-            times[id(noise)] = Q.T @ noise.times(Q.reshape(A.shape)).reshape(Q.shape)
-        middle += w * level * (times[id(noise)] + creeps**2 * (across @ across.T))
+    # an outlier is a reading of more noise: of it Huber's weights leave the root of how far it is off
+    models = _weighed(at, flat.reshape(rows.shape) * np.sqrt(at.weights)[:, None, None], read, size)
+    creeping, middle = Q.T @ flat[:, n:-1], pulled.T @ pulled
+    for noise, alike in itertools.groupby(models, key=lambda model: model.rows):
+        own = [(m.probability * m.level, m.creep) for m in alike if m.probability > HARDLY]
+        if own:
+            moved = noise.times(Q.reshape(*read.shape, n)).reshape(Q.shape)
+            middle += sum(w for w, _ in own) * (Q.T @ moved)
+            middle += sum(w * creep**2 for w, creep in own) * (creeping @ creeping.T)
     back = np.linalg.pinv(R, rcond=SEEN) * (scale / size)[:, None]
     return np.asarray(back @ middle @ back.T)
+
+
+def _weighed(at: Fit, rows: Array, read: np.ndarray, size: Array) -> list[_Weighed]:
+    """Return noise models by their evidence, all that is fitted taken out.
+
+    Parameters
+    ----------
+    rows : (R, k, n + m + 1) array
+        In unit noise: what is fitted, how the frame creeps, the residual.
+    size : (n,) array
+        Lengths of the columns that are fitted.
+    """
+    n, found, log = len(size), list[tuple[NoiseModel, float, float]](), list[float]()
+    for odds, noise in _correlations(at):
+        whole = np.asarray(np.linalg.qr(noise.whiten(rows).reshape(-1, rows.shape[2]), mode="r"))
+        taken, rest = np.abs(np.diag(whole)[:n]) / size, whole[n:, n:]
+        volume = read.any(axis=0).sum() * noise.log_det + 2 * np.log(np.maximum(taken, SEEN)).sum()
+        model = MixedModel.of(rest[:, :-1], rest[:, -1], np.zeros((len(rest), 0)))
+        model = dataclasses.replace(model, contrasts=max(int(read.sum()) - n, 1))
+        for creep in CREEPS if rest.shape[1] > 1 else (0.0,):
+            variances = np.full(rest.shape[1] - 1, creep**2)
+            before = np.log(odds) + (np.log(creep) - (creep / ORDINARY) ** 2 / 2 if creep else 0.0)
+            found.append((noise, creep, model.noise(variances)))
+            log.append(before - (model.deviance(variances) + volume) / 2)
+    weight = np.exp(np.array(log) - max(log))
+    return [_Weighed(*each, float(w)) for each, w in zip(found, weight / weight.sum(), strict=True)]
 
 
 def _correlations(at: Fit) -> Iterator[tuple[float, NoiseModel]]:
