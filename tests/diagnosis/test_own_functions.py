@@ -149,7 +149,6 @@ def along(n: int) -> np.ndarray:
 
 
 @pytest.mark.walk
-@pytest.mark.xfail(strict=True, reason="correlated noise takes what three orders leave along a path: still open")
 def test_on_a_path_it_holds_near_the_path_and_says_what_is_not_known(arm: Robot) -> None:
     every = read(arm, along(600), 2)
     train, test = (every.subset(np.arange(k, 600, 2)) for k in (0, 1))

@@ -40,7 +40,7 @@ from deltacal_gen.diagnosis.laws.remainder import with_remainder
 from deltacal_gen.diagnosis.library import defined, library
 from deltacal_gen.diagnosis.refits import believable, form, refitted, terms_of
 from deltacal_gen.diagnosis.search import Search
-from deltacal_gen.diagnosis.selection import Progress
+from deltacal_gen.diagnosis.selection import MOST_WAVES, Progress, crowded
 from deltacal_gen.diagnosis.spectrum import LEAST_TURN, Spectrum, periodic
 from deltacal_gen.diagnosis.strategy import (
     Outcome,
@@ -115,8 +115,9 @@ def diagnose(
     if lawful := sought.laws:
         search, left, unexplained = Search(lawful[0].fit, search.terms), structures(lawful[0].fit), False
     smooth = borne_out_beside(search.fit, left) if unexplained else None
-    if smooth is not None and spectrum is None:
+    if spectrum is None and not lawful:
         search, left, smooth = _without_orders(found.problem, search, left, smooth)
+    unexplained |= smooth is not None
     # what comes near its price, or is not borne out, is no finding, but worth a measurement
     doubtful = [] if lean else hinted(search, AMBIGUOUS)
     heldout = _held_out(found, search, lawful)
@@ -396,18 +397,22 @@ def _as_drawn(problem: Problem, current: Fit) -> Fit:
 
 
 def _without_orders(
-    problem: Problem, search: Search, left: list[Structure], smooth: BorneOut
-) -> tuple[Search, list[Structure], BorneOut]:
+    problem: Problem, search: Search, left: list[Structure], smooth: BorneOut | None
+) -> tuple[Search, list[Structure], BorneOut | None]:
     """Drop single orders that held-out readings do not need beside smooth functions.
 
     Over less than a turn few waves imitate any function of a joint's angle; an error that repeats predicts better.
     """
     terms, turned = terms_of(search.fit), np.ptp(problem.body.q[np.unique(problem.readings.rows)], axis=0)
     kept = [t for t in terms if t.effect != wave() or any(turned[i - 1] > LEAST_TURN for i in t.limbs)]
-    if len(kept) == len(terms) or (plain := refitted(problem, search.fit, kept)) is None:
+    asked = len(kept) < len(terms) and (smooth is not None or crowded(search, terms, MOST_WAVES - 1))
+    plain = refitted(problem, search.fit, kept) if asked else None
+    other = None if plain is None else borne_out_beside(plain, unexplained := structures(plain))
+    if plain is None or other is None:
         return search, left, smooth
-    other = borne_out_beside(plain, unexplained := structures(plain))
-    if other is None or borne_out(other.corrected / plain.sigma, smooth.corrected / plain.sigma):
+    parts = folds(problem.readings, problem.recording)
+    by_orders = held_out_errors(search.fit, Prior(), parts) if smooth is None else smooth.corrected
+    if borne_out(other.corrected / plain.sigma, by_orders / plain.sigma):
         return search, left, smooth
     return Search(plain, search.terms), unexplained, other
 
